@@ -455,6 +455,13 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
   return more;
 }
 
+std::vector<Condition> where_body_has_pin(std::string_view path) {
+  if (path == "support.pin_diameter") return {where_pin_links(path), where_tilts_are_computed()};
+  return {where_true(pin_links_rows,
+                     "where support.pin_ends is one or flexpin, or bearing.per_planet is above 2"),
+          where_tilts_are_computed()};
+}
+
 Condition where_bearings_make_springs() {
   return where_true(
       bearings_make_springs,

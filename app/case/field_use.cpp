@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/case/use_conditions.hpp"
-
 namespace orbearing::app {
 
 namespace {
@@ -130,13 +128,6 @@ Condition where_planets_carry_unlike_loads() {
 Condition where_pin_links(std::string_view path) {
   if (path == "support.pin_diameter") return where("support.pin_ends", {"flexpin"});
   return where("support.pin_ends", {"one", "flexpin"});
-}
-
-std::vector<Condition> where_body_has_pin(std::string_view path) {
-  if (path == "support.pin_diameter") return {where_pin_links(path), where_tilts_are_computed()};
-  return {where_true(pin_links_rows,
-                     "where support.pin_ends is one or flexpin, or bearing.per_planet is above 2"),
-          where_tilts_are_computed()};
 }
 
 Condition where_tilts_are_computed() {
