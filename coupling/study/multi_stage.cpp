@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "coupling/study/worst_bearing.hpp"
 
 namespace orbearing::study {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "bearing/life/rating_lives.hpp"
 #include "coupling/study/carrier_revolution.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/study/one_way.hpp"
-#include "coupling/study/worst_bearing.hpp"
 
 namespace orbearing::described {
 class Record;
@@ -71,8 +71,8 @@ struct DynamicRecord {
   bearing::motion::StateLayout layout;  // of that state
   std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
   std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
-  std::optional<double> drag_over_traction = std::nullopt;  // [-]  how lightly the bearing is loaded
-  std::optional<double> drag_slip = std::nullopt;           // [-]  of the cage, under the loads at rest
+  std::optional<double> drag_over_traction = std::nullopt;       // [-]  how lightly the bearing is loaded
+  std::optional<double> drag_slip = std::nullopt;                // [-]  of the cage, under the loads at rest
 };
 
 /// What only gears and bearings that act on each other tell.
@@ -106,6 +106,15 @@ struct SeatResult {
   bearing::rating::RatedHours rated_hours{};
   double axial_load = 0.0;  // [N]  induced by a contact angle
   double rib_load = 0.0;    // [N]  largest of one tapered roller on the rib of the inner ring
+};
+
+/// The worst of bearings that carry unlike loads. Not a number where all carry alike.
+struct UnlikeBearings {
+  static constexpr double kAlike = std::numeric_limits<double>::quiet_NaN();
+  double shortest_hours = kAlike;                // [h]  Lundberg and Palmgren
+  bearing::rating::RatedHours shortest_rated{};  // [h]  shortest life by life
+  double planet = kAlike;                        // with the shortest life, counted from 1
+  double load_share = kAlike;                    // [-]  largest of all planets
 };
 
 /// One of several sets at an operating point. Loads and life are those of one bearing.

@@ -7,6 +7,7 @@
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/rating_record.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/worst_bearing.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::study {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/study/operating_point.hpp"
-
 namespace orbearing::study {
 
 namespace {
