@@ -125,13 +125,13 @@ TEST(SpectrumLife, IsJudgedByTheWorstBearing) {
   header.points = 2;
   header.sets = {"even", "uneven"};
   study::SetResult even, uneven, alike;
-  even.life_hours = 900.0;
+  even.life_hours = 1200.0;
   uneven.life_hours = 1000.0;
   uneven.unlike.shortest_hours = 500.0;
   alike.life_hours = 5000.0;
   std::map<std::size_t, ManifestEntry> entries;
   entries[0].row = result_row({.life_hours = 1000.0, .sets = {even, uneven}}, {}, header.sets);
-  entries[1].row = result_row({.life_hours = 900.0, .sets = {even, alike}}, {}, header.sets);
+  entries[1].row = result_row({.life_hours = 1200.0, .sets = {even, alike}}, {}, header.sets);
   const SpectrumResult found = spectrum_results(header, entries).front();
   const double life = 1.0 / (0.5 / 500.0 + 0.5 / 5000.0);
   EXPECT_EQ(found.worst.column(), "sets.uneven.shortest_life_h");
