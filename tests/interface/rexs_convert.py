@@ -527,6 +527,7 @@ class Refusals(Converting):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn(f"{self.place}/out/cases/{STAGE}/case.yaml", result.stdout)
         self.assertIn("usage: orbearing convert", program.run("convert", "--help").stdout)
+        self.assertEqual([program.run("convert", word).returncode for word in ("--help", "--nonsense")], [0, 2])
         self.assertIn("convert", program.run("--help").stdout)
 
     def test_a_rexs_file_is_no_case(self):

@@ -9,7 +9,9 @@ import os
 import pathlib
 import random
 import tempfile
+import types
 import unittest
+import unittest.mock
 
 import netCDF4
 import numpy as np
@@ -22,7 +24,7 @@ from orbearing.studies.executors import InProcess, Threads
 from orbearing.studies.folder import DATASET, JOURNAL, finished_counts
 from orbearing.studies.plan import LEAST_SECONDS, USUAL_SECONDS, Plan
 from orbearing.studies.result import json_of
-from orbearing.studies.run import compute
+from orbearing.studies.run import _teller, compute
 from orbearing.studies.__main__ import rows_of_table, varied
 from study_fake import FakeCase, FakeEngine
 
@@ -243,6 +245,29 @@ class Stores(InFolder):
         alone, _ = study(grid={"input.speed": {"from": "1000 rpm", "to": "3000 rpm"}, "bearing.rollers": [14, 15]}, sampler="lhs", samples=16)
         self.assertNotIn("peak_life_h", alone.to_xarray(), "where the speed is a sample's value no variant has a curve")
         self.assertTrue(alone.plot().lines)
+
+
+class Progress(unittest.TestCase):
+    def test_a_bar_has_the_points_that_are_done(self):
+        class Bar:
+            def __init__(self, total, **_):
+                self.total, self.n, self.closed = total, 0, False
+
+            def update(self, more):
+                self.n += more
+
+            def close(self):
+                self.closed = True
+
+        made = []
+        fake = types.SimpleNamespace(tqdm=lambda **how: made.append(Bar(**how)) or made[-1])
+        with unittest.mock.patch.dict("sys.modules", {"tqdm": types.SimpleNamespace(auto=fake), "tqdm.auto": fake}):
+            tell = _teller(True, 24)
+        for done in (3, 10, 24):
+            self.assertFalse(made[0].closed)
+            tell(done, 24)
+            self.assertEqual(made[0].n, done)
+        self.assertEqual((made[0].total, made[0].closed), (24, True))
 
 
 class Interrupted(InFolder):
