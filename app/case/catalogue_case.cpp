@@ -149,6 +149,29 @@ std::array<PrintedRating, 3> ratings_of(const catalogue::Entry& entry) {
            {catalogue_keys::kLimit, entry.fatigue_load_limit}}};
 }
 
+/// What a designation, or the line that it selects, says about the cage: material and reason.
+struct NamedCage {
+  std::string_view material;
+  std::string reason;  // "the suffix P (cage of polyamide) of NJ 2206 ECP"
+};
+
+// Suffixes of the designation come before what the line has, and the maker's suffix comes last.
+std::optional<NamedCage> cage_of(const FieldValue* table, const std::string& designation) {
+  const catalogue::Entry* line = line_of(table, designation);
+  if (line == nullptr) return std::nullopt;
+  const auto by_suffix = [](const catalogue::Suffix& one, const std::string& name) {
+    return NamedCage{one.cage, fmt::format("the suffix {} ({}) of {}", one.letters, one.meaning, name)};
+  };
+  for (const catalogue::SuffixedName& reading : catalogue::suffixed_readings(designation))
+    for (const catalogue::Suffix* one : reading.suffixes)
+      if (!one->cage.empty()) return by_suffix(*one, quote(designation));
+  if (!line->cage.empty())
+    return NamedCage{line->cage, fmt::format("a cage of {} in {}", line->cage, name_of(*line, designation))};
+  const catalogue::Suffix* own = catalogue::suffix_named(line->suffix);
+  if (own != nullptr && !own->cage.empty()) return by_suffix(*own, name_of(*line, designation));
+  return std::nullopt;
+}
+
 std::string newtons(double force) {
   return fmt::format("{:g} N", force);
 }
@@ -363,7 +386,21 @@ class CatalogueCase {
     }
   }
 
+  // That of the designation, where a cage has neither a stated material nor a stated density.
+  void fill_named_material() {
+    if (entry_ == nullptr || (model_ & described::in_motion) == 0 ||  // others may have no cage
+        is_full(find(catalogue_keys::kComplement)))
+      return;
+    if (const auto density = data_.values.find(prefix_ + catalogue_keys::kDensity);
+        density != data_.values.end() && !density->second.from_default)
+      return;
+    if (const auto named =
+            cage_of(find(catalogue_keys::kCatalogue), find(catalogue_keys::kDesignation)->given))
+      put_default(catalogue_keys::kMaterial, std::string(named->material), "default: " + named->reason);
+  }
+
   void fill_material() {
+    fill_named_material();
     const FieldValue* name = find(catalogue_keys::kMaterial);
     if (name == nullptr) return;
     const bearing::CageMaterial& material = bearing::cage_material(name->given);
@@ -746,17 +783,38 @@ void add_suffixes(const ResolvedCase& in, const std::string& set, std::vector<st
   const ReadDesignation read = read_designation(table_of_case(in, set), in.text(path));
   if (read.name.suffixes.empty()) return;
   std::vector<std::string> suffixes;
-  bool clearance = false;
+  bool clearance = false, cage = false;
   for (const catalogue::Suffix* one : read.name.suffixes) {
     suffixes.push_back(fmt::format("{} ({})", one->letters, one->meaning));
     clearance = clearance || one->clearance;
+    cage = cage || (!one->cage.empty() && in.has(set + catalogue_keys::kMaterial));
   }
   warnings.push_back(
       fmt::format("{}: {} is read as {} with the suffixes {}. Sizes and ratings are those of {}; "
-                  "{}state what else a suffix means, as bearing.cage.material",
+                  "{}{}state what else a suffix means{}",
                   path, quote(in.text(path)), read.name.base, fmt::join(suffixes, ", "),
                   name_of(*read.line, read.name.base),
-                  clearance ? "the class of clearance is taken where the case states none; " : ""));
+                  clearance ? "the class of clearance is taken where the case states none; " : "",
+                  cage ? "the material of the cage is taken where the case states none; " : "",
+                  cage ? "" : ", as bearing.cage.material"));
+}
+
+// A stated cage that is not that of the designation. Suffixes that are only the maker's are no mistake:
+// bearings of one designation have several cages.
+void add_other_cage(const ResolvedCase& in, const std::string& set, std::vector<std::string>& warnings) {
+  const std::string path = set + catalogue_keys::kMaterial;
+  if (!is_stated(in, path)) return;
+  const std::string& name = in.text(set + catalogue_keys::kDesignation);
+  for (const catalogue::SuffixedName& reading : catalogue::suffixed_readings(name))
+    for (const catalogue::Suffix* one : reading.suffixes)
+      if (!one->cage.empty()) {
+        if (one->cage != in.choice(path))
+          warnings.push_back(
+              fmt::format("{}: {} as stated contradicts the suffix {} ({}) of {}. Check which of "
+                          "them is right",
+                          path, in.choice(path), one->letters, one->meaning, quote(name)));
+        return;
+      }
 }
 
 // Ratings that a case states beside the designation of a bearing that has others.
@@ -817,6 +875,7 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
     add_suffixes(resolved, set, warnings);
+    add_other_cage(resolved, set, warnings);
     add_table_without_effect(resolved, set, warnings);
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
     if (const std::string rings = set + catalogue_keys::kRings;

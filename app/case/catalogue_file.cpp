@@ -13,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "app/case/catalogue_fields.hpp"
+#include "app/case/field_table.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/catalogue_text.hpp"
 
@@ -55,9 +57,11 @@ const std::array<NumberColumn, 10>& number_columns() {
   return columns;
 }
 
-constexpr std::array<TextColumn, 3> kTextColumns{
-    {{"suffix", &Line::suffix}, {"maker", &Line::maker}, {"source", &Line::source}}};
-constexpr const char *kDesignationColumn = "designation", *kFamilyColumn = "family";
+constexpr const char *kDesignationColumn = "designation", *kFamilyColumn = "family", *kCageColumn = "cage";
+constexpr std::array<TextColumn, 4> kTextColumns{{{"suffix", &Line::suffix},
+                                                  {kCageColumn, &Line::cage},
+                                                  {"maker", &Line::maker},
+                                                  {"source", &Line::source}}};
 
 // What a line of a family states, and what it may not.
 struct FamilyColumns {
@@ -136,6 +140,7 @@ class LineReader {
     for (const TextColumn& column : kTextColumns)
       if (const Entry* cell = filled(column.key)) line_.*column.text = cell->text;
     if (line_.source.empty()) line_.source = file;
+    check_cage();
     if (mistakes_.size() == before) check();
     return mistakes_.size() == before ? std::optional<Line>(std::move(line_)) : std::nullopt;
   }
@@ -197,6 +202,15 @@ class LineReader {
       line_.*column.number = reading.value.number;
     else
       add_error(cell->location, fmt::format("{}: {}", column.key, reading.message.found),
+                reading.message.required);
+  }
+
+  void check_cage() {
+    const Entry* cell = filled(kCageColumn);
+    if (cell == nullptr) return;
+    const FieldReading reading = read_field(*find_field(catalogue_keys::kMaterial), *cell);
+    if (!reading.good)
+      add_error(cell->location, fmt::format("{}: {}", kCageColumn, reading.message.found),
                 reading.message.required);
   }
 

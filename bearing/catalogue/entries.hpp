@@ -22,6 +22,7 @@ struct Entry {
   std::vector<std::string> designations;  // "NU 205", "NJ 205" and "NUP 205" share a line
   Family family = Family::cylindrical;
   std::string maker, suffix, source;  // "NSK", "EW" of its NU 205 EW, "[NSKE1102] B84"
+  std::string cage;                   // material as cage_material() names it; empty: not printed
   double bore = 0.0;                  // [m]  d; of a bearing with rings
   double outside = 0.0;               // [m]  D; of a bearing with rings
   double width = 0.0;                 // [m]  B; of a needle cage B_c

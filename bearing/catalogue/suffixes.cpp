@@ -8,35 +8,47 @@ namespace orbearing::bearing::catalogue {
 
 namespace {
 
-constexpr const char *kInside = "reinforced inside", *kPolyamide = "cage of polyamide",
-                     *kBrass = "cage of brass", *kSteel = "cage of sheet steel",
-                     *kShield = "shield on one side", *kShields = "shields on both sides",
-                     *kSeal = "seal on one side", *kSeals = "seals on both sides",
-                     *kAccuracy = "class of accuracy", *kClearance = "class of clearance";
+constexpr const char *kInside = "reinforced inside", *kShield = "shield on one side",
+                     *kShields = "shields on both sides", *kSeal = "seal on one side",
+                     *kSeals = "seals on both sides", *kAccuracy = "class of accuracy",
+                     *kClearance = "class of clearance";
+
+constexpr Suffix caged(std::string_view letters, std::string_view meaning, std::string_view material) {
+  return {letters, meaning, false, material};
+}
+constexpr Suffix of_polyamide(std::string_view letters) {
+  return caged(letters, "cage of polyamide", "polyamide");
+}
+constexpr Suffix of_brass(std::string_view letters) {
+  return caged(letters, "cage of brass", "brass");
+}
+constexpr Suffix of_steel(std::string_view letters) {
+  return caged(letters, "cage of sheet steel", "steel");
+}
 
 // As SKF, FAG, NSK and NTN print them in their lists of suffixes.
 constexpr std::array kSuffixes{Suffix{"EC", kInside},
                                Suffix{"E", kInside},
-                               Suffix{"ET", "reinforced inside, cage of polyamide"},
-                               Suffix{"EW", "reinforced inside, cage of sheet steel"},
-                               Suffix{"EM", "reinforced inside, cage of brass"},
-                               Suffix{"P", kPolyamide},
-                               Suffix{"TN", kPolyamide},
-                               Suffix{"TN9", kPolyamide},
-                               Suffix{"TVP", kPolyamide},
-                               Suffix{"TVP2", kPolyamide},
-                               Suffix{"TVH", kPolyamide},
-                               Suffix{"T2X", kPolyamide},
-                               Suffix{"M", kBrass},
-                               Suffix{"MA", kBrass},
-                               Suffix{"MB", kBrass},
-                               Suffix{"ML", kBrass},
-                               Suffix{"MP", kBrass},
-                               Suffix{"M1", kBrass},
-                               Suffix{"J", kSteel},
-                               Suffix{"JP1", kSteel},
-                               Suffix{"JP3", kSteel},
-                               Suffix{"Y", "cage of sheet brass"},
+                               caged("ET", "reinforced inside, cage of polyamide", "polyamide"),
+                               caged("EW", "reinforced inside, cage of sheet steel", "steel"),
+                               caged("EM", "reinforced inside, cage of brass", "brass"),
+                               of_polyamide("P"),
+                               of_polyamide("TN"),
+                               of_polyamide("TN9"),
+                               of_polyamide("TVP"),
+                               of_polyamide("TVP2"),
+                               of_polyamide("TVH"),
+                               of_polyamide("T2X"),
+                               of_brass("M"),
+                               of_brass("MA"),
+                               of_brass("MB"),
+                               of_brass("ML"),
+                               of_brass("MP"),
+                               of_brass("M1"),
+                               of_steel("J"),
+                               of_steel("JP1"),
+                               of_steel("JP3"),
+                               caged("Y", "cage of sheet brass", "brass"),
                                Suffix{"Z", kShield},
                                Suffix{"2Z", kShields},
                                Suffix{"ZZ", kShields},
@@ -96,6 +108,11 @@ std::vector<SuffixedName> suffixed_readings(std::string_view designation) {
     if (suffixes && !suffixes->empty()) readings.push_back({std::string(base), std::move(*suffixes)});
   }
   return readings;
+}
+
+const Suffix* suffix_named(std::string_view letters) {
+  const auto found = std::ranges::find(kSuffixes, letters, &Suffix::letters);
+  return found == kSuffixes.end() ? nullptr : &*found;
 }
 
 }  // namespace orbearing::bearing::catalogue

@@ -11,7 +11,8 @@ namespace orbearing::bearing::catalogue {
 struct Suffix {
   std::string_view letters;
   std::string_view meaning;
-  bool clearance = false;  // a class of ISO 5753
+  bool clearance = false;   // a class of ISO 5753
+  std::string_view cage{};  // material as cage_material() names it; empty: not a suffix of cages
 };
 
 /// A designation without suffixes, and these in the order in which they stand.
@@ -23,5 +24,8 @@ struct SuffixedName {
 /// All readings of a designation as a base and known suffixes, the longest base first. One without a suffix
 /// is none of them.
 std::vector<SuffixedName> suffixed_readings(std::string_view designation);
+
+/// The suffix of a text that is nothing else, as "ET": those of a line of a catalogue. Null for others.
+const Suffix* suffix_named(std::string_view letters);
 
 }  // namespace orbearing::bearing::catalogue
