@@ -67,14 +67,17 @@ std::string family_of(const Parts& parts) {
   return parts.letters.empty() ? std::to_string(parts.series).substr(0, 1) : parts.letters;
 }
 
-// Steps of the bore count most, then the series, then ribs and suffix.
+// Steps of the bore count most, then the series, then ribs and suffix. A width, which is behind bore and
+// outside diameter of a needle cage, counts less than both.
 double distance(const Parts& a, const Parts& b) {
-  constexpr double per_size = 0.4, per_series = 1.0, per_letters = 0.7, per_suffix = 0.3;
+  constexpr double per_size = 0.4, per_width = 0.05, per_series = 1.0, per_letters = 0.7, per_suffix = 0.3;
+  constexpr std::size_t width = 2;
   double sum = (a.series != b.series ? per_series : 0.0) + (a.letters != b.letters ? per_letters : 0.0) +
                (a.suffix != b.suffix ? per_suffix : 0.0);
   const std::size_t most = std::max(a.sizes.size(), b.sizes.size());
   for (std::size_t i = 0; i < most; ++i)
-    sum += per_size * (i < a.sizes.size() && i < b.sizes.size() ? std::abs(a.sizes[i] - b.sizes[i]) : 1.0);
+    sum += (i < width ? per_size : per_width) *
+           (i < a.sizes.size() && i < b.sizes.size() ? std::abs(a.sizes[i] - b.sizes[i]) : 1.0);
   return sum;
 }
 

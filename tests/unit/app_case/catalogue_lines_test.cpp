@@ -220,6 +220,7 @@ TEST(CatalogueLines, FiveNearestAreOfTheSameFamilyInTheOrderOfTheirNearness) {
   EXPECT_EQ(nearest(names, "nu-2210 ecp", 5).front(), "NU 2210");
   EXPECT_EQ(nearest(names, "NU 2242", 5).front(), "NU 2240");
   EXPECT_EQ(nearest(names, "7210 BEP", 5).front().substr(0, 4), "7210");
+  EXPECT_EQ(nearest(names, "K 20x26x17", 5).front(), "K 20x26x12");  // same bore, same outside diameter
   for (const std::string& name : nearest(names, "K 20x24x12", 5)) EXPECT_TRUE(name.starts_with("K ")) << name;
   EXPECT_EQ(nearest(names, "22210 E", 5).size(), 5u);  // of no family that is listed
 }
