@@ -22,6 +22,10 @@ FieldReading good(FieldValue value) {
 std::string remedy(const Field& field) {
   if (field.path.starts_with("parallel_stage."))
     return "; one stage is [82, 23], several are [[82, 23], [88, 22]]";
+  if (field.path == "lubricant.viscosity_index")
+    return "; an oil of a higher index states lubricant.viscosity_100 of its data sheet instead";
+  if (field.path == "spectrum" && field.kind == Kind::number)
+    return "; shares are fractions that add up to 1: 0.25 is 25 %";
   if (field.path == "pair.teeth") return "; of a gear inside a ring, state pair.kind: internal";
   return {};
 }

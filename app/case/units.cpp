@@ -60,6 +60,9 @@ ut_system* open_unit_system() {
   // udunits2 knows "degree" only.
   const Unit degree(ut_parse(system, "degree", UT_UTF8));
   ut_map_name_to_unit("deg", UT_UTF8, degree.get());
+  constexpr double metric_horsepower = 735.49875;  // [W]  75 kgf m/s
+  const Unit watt(ut_parse(system, "W", UT_UTF8)), horsepower(ut_scale(metric_horsepower, watt.get()));
+  ut_map_name_to_unit("pferdestaerke", UT_UTF8, horsepower.get());  // udunits2 has it rounded to 735.499 W
   return system;
 }
 
@@ -89,7 +92,7 @@ std::string_view trim(std::string_view text) {
 }
 
 /// Units of data sheets that udunits2 does not know, or takes for something else, and what they mean where a
-/// quantity of that SI unit is required: C is a coulomb elsewhere, 1/min a frequency.
+/// quantity of that SI unit is required: C is a coulomb elsewhere, 1/min a frequency, PS a petasiemens.
 struct DataSheetUnit {
   std::string_view target;
   std::string_view written;
@@ -103,6 +106,7 @@ constexpr DataSheetUnit kDataSheetUnits[] = {{"rad/s", "1/min", "rpm"},
                                              {"rad/s", "rev/min", "rpm"},
                                              {"rad/s", "min\u207b\u00b9", "rpm"},
                                              {"degC", "C", "degC"},
+                                             {"W", "PS", "pferdestaerke"},
                                              {"Pa.s", "cP", "mPa.s"},
                                              {"m2/s", "cSt", "mm2/s"},
                                              {"m", "mum", "um"},
@@ -120,6 +124,32 @@ std::string_view meant_unit(std::string_view unit, std::string_view target) {
 
 bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+// A temperature, or the difference of two, that is written in kelvin: no value of either is the other's.
+std::optional<std::string> fault_of_kelvin(double value, std::string_view unit, std::string_view target) {
+  if (target != dimension::temperature.si || (unit != "K" && unit != "kelvin")) return std::nullopt;
+  constexpr double zero = 273.15, coldest = 100.0;  // [K]  of temperatures; less is a difference
+  if (value < coldest)
+    return fmt::format("temperatures are stated in degC: a difference of {:g} K as {:g} degC", value, value);
+  return fmt::format("temperatures are stated in degC: {:g} K as {:.9g} degC", value, value - zero);
+}
+
+// "20 000": digits in groups of three behind the first blank, as tables print them.
+std::optional<std::string> joined_groups(std::string_view number, std::string_view rest) {
+  std::string joined(number);
+  const auto begins_group = [&] {
+    constexpr std::size_t group = 3;
+    return rest.size() >= group && std::ranges::all_of(rest.substr(0, group), is_digit) &&
+           (rest.size() == group || (!is_digit(rest[group]) && rest[group] != '/'));
+  };
+  if (!begins_group()) return std::nullopt;
+  while (begins_group()) {
+    joined += rest.substr(0, 3);
+    rest = trim(rest.substr(3));
+  }
+  const char* between = rest.empty() || rest.starts_with('.') ? "" : " ";
+  return fmt::format("{}{}{}", joined, between, rest);
 }
 
 // udunits2 multiplies by bare numbers and shifts origins inside a unit ("mm 10", "K @ 5"); a slip of the
@@ -248,6 +278,9 @@ Reading<double> converted(double value, const Conversion& conversion) {
 Reading<double> read_number(std::string_view text) {
   const Reading<WrittenQuantity> written = split_quantity(text);
   if (!written.value) return fault(written.fault);
+  if (written.value->unit == "%")
+    return fault(
+        fmt::format("state {:.9g} instead of {:g} %", written.value->value / 100.0, written.value->value));
   if (!written.value->unit.empty()) return fault("it is not a number alone");
   return {written.value->value, {}};
 }
@@ -269,6 +302,9 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   if (error != std::errc{}) return {std::nullopt, "it does not begin with a finite number"};
   const std::string_view rest(end, static_cast<std::size_t>(digits.data() + digits.size() - end));
   if (rest.starts_with(',')) return {std::nullopt, "a number has a decimal point and no commas"};
+  const std::string_view number = digits.substr(0, digits.size() - rest.size());
+  if (const auto joined = joined_groups(number, trim(rest)))
+    return {std::nullopt, fmt::format("a number is written without spaces: {}", *joined)};
   return {WrittenQuantity{value, std::string(trim(rest))}, {}};
 }
 
@@ -276,6 +312,7 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit) {
   unit = meant_unit(unit, target_unit);
   if (unit == target_unit) return {value, {}};
+  if (auto kelvin = fault_of_kelvin(value, unit, target_unit)) return fault(std::move(*kelvin));
   thread_local std::map<std::pair<std::string, std::string>, Conversion> known;
   std::pair<std::string, std::string> units(unit, target_unit);
   const auto found = known.find(units);

@@ -152,6 +152,32 @@ TEST(Units, RefuseUnitsWithAZeroOfTheirOwn) {
   expect_fault("20 degC", temperature, "zero point");
 }
 
+TEST(Units, StateTemperaturesInKelvinAnew) {
+  expect_fault("343 K", dimension::temperature, "temperatures are stated in degC: 343 K as 69.85 degC");
+  expect_fault("5 K", dimension::temperature, "a difference of 5 K as 5 degC");
+  EXPECT_NEAR(*read_quantity("2 1/K", dimension::per_kelvin).value, 2.0, 0.0);
+}
+
+TEST(Units, TakeMetricHorsepower) {
+  // DIN 66036: 75 kgf m/s.
+  EXPECT_DOUBLE_EQ(*read_quantity("245 PS", dimension::power).value, 245.0 * 75.0 * 9.80665);
+  expect_fault("245 PS", dimension::torque, "(it is one of power)");
+}
+
+TEST(Units, RefuseDigitsInGroups) {
+  expect_fault("20 000 h", dimension::time, "a number is written without spaces: 20000 h");
+  expect_fault("1 234 567.5 h", dimension::time, "a number is written without spaces: 1234567.5 h");
+  expect_fault("20\u00a0000 h", dimension::time, "a number is written without spaces: 20000 h");
+  EXPECT_DOUBLE_EQ(*read_quantity("600 1/min", dimension::angular_speed).value,
+                   *read_quantity("600 rpm", dimension::angular_speed).value);
+  EXPECT_EQ(read_number("20 000").fault, "a number is written without spaces: 20000");
+}
+
+TEST(Units, RefusePerCentWithTheFraction) {
+  EXPECT_EQ(read_number("95 %").fault, "state 0.95 instead of 95 %");
+  EXPECT_EQ(read_number("0.5%").fault, "state 0.005 instead of 0.5 %");
+}
+
 TEST(Units, RefuseNumbersThatAreNotFinite) {
   for (const char* text : {".inf mm", "inf mm", "nan mm", "-.nan mm", "--3 mm", "+-3 mm", "mm", ""})
     expect_fault(text, dimension::length, "finite number");
