@@ -1,16 +1,19 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
 #include "gearset/tooth_form.hpp"
 #include "gearset/warning.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
 constexpr const char* kSetShift = "gearset.profile_shift";
+constexpr double kUsualShift = 0.6;  // [module]  Assumption: sets in use are within -0.5 and 0.5
 
 void check_ring_reach(const InternalMesh& mesh, const std::string& inside, ToothWarnings& warnings) {
   const double line = mesh.centre_distance * std::sin(mesh.mesh.working_pressure_angle);
@@ -62,6 +65,26 @@ void check_clearances(const WorkingGeometry& g, const std::string& inside, Tooth
   check_ring_clearances(ring_mesh_of(g), inside, warnings);
 }
 
+// The shift that nobody states: a wrong number of teeth shows in it.
+void check_planet_shift(const WorkingGeometry& g, ToothWarnings& warnings) {
+  if (std::abs(g.planet_shift) <= kUsualShift) return;
+  const auto number = [](int teeth) { return std::to_string(teeth); };
+  const std::string teeth = number(g.sun.teeth) + ", " + number(g.planet.teeth) +
+                            (g.second ? ", " + number(g.second->teeth) : "") + " and " + number(g.ring.teeth);
+  const std::string standard =
+      g.second ? ""
+               : "; a ring of sun + 2 planet = " + number(g.sun.teeth + 2 * g.planet.teeth) +
+                     " teeth requires none where sun and ring have none";
+  warnings.list.push_back(
+      {"gearset.teeth", "the planet's profile shift " + decimal(g.planet_shift, 4) +
+                            ", derived from the centre distance, is outside the usual range, -" +
+                            decimal(kUsualShift, 1) + " to " + decimal(kUsualShift, 1) + ". Sun, planet" +
+                            (g.second ? ", its second gear" : "") + " and ring have " + teeth + " teeth" +
+                            standard + ". The ring mesh has a working pressure angle of " +
+                            decimal(g.ring_mesh.working_pressure_angle / constants::degree, 1) +
+                            " deg. Check the numbers of teeth and the stated shifts"});
+}
+
 }  // namespace
 
 void warn_of_external_mesh(const ExternalTooth& tooth, const ExternalTooth& mate, double distance,
@@ -104,6 +127,7 @@ double ring_tip_clearance(const InternalMesh& mesh) {
 
 Warnings tooth_warnings(const WorkingGeometry& geometry) {
   ToothWarnings warnings{kSetShift, {}};
+  check_planet_shift(geometry, warnings);
   warnings.undercut(geometry.sun, "sun");
   warnings.undercut(geometry.planet, "planet");
   if (geometry.second) warnings.undercut(*geometry.second, "planet's second gear");

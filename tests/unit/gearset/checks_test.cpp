@@ -115,6 +115,18 @@ TEST(ToothWarnings, NameTheFault) {
   }
 }
 
+TEST(ToothWarnings, NameTheTeethThatMakeAnUnusualShiftOfThePlanet) {
+  const auto said = [](int ring_teeth) {
+    const PlanetarySet set{18, 33, ring_teeth, 3, 3e-3, {}, 0.0, 0.0, 40e-3, 62e-3};
+    return listing(tooth_warnings(working_geometry(set)));
+  };
+  const std::string text = said(87);
+  for (const char* part :
+       {"gearset.teeth", "profile shift 0.7246", "18, 33 and 87 teeth", "= 84 teeth", "of 14.1 deg"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " not in:\n" << text;
+  for (const int usual : {84, 86}) EXPECT_EQ(said(usual).find("usual range"), std::string::npos) << usual;
+}
+
 TEST(ToothWarnings, AllowTipsThatJustTouchTheRoots) {
   PlanetarySet set = standard_set();
   set.rack.clearance = 0.0;
