@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 from pathlib import Path
 from typing import Callable
 
@@ -58,6 +59,11 @@ class Program:
         # Of all inputs, since those without effect on the result are refused where they are named.
         found = self._ask("sensitivities", self._folder / "case.resolved.yaml", **({"result": result} if result else {}))
         return {**found, "inputs": [row for row in records(found.get("inputs")) if row.get("path") in numbers]}
+
+    def say(self, text: str) -> None:
+        """What is computed and takes long, on standard error, in a log as well."""
+        if not self._quiet:
+            print(f"report: {text}", file=sys.stderr, flush=True)
 
     def _ask(self, command: str, what: Path, **options):
         try:
@@ -143,10 +149,14 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     content["ablation"] = [_curve(change, points, fine, life) for change, points in at_rest]
     content["dynamic"] = None
     if in_motion:
-        changes = [] if fidelity in COUPLED else bearing.under(effects.in_motion(inputs, every_effect, shown["set"]), speeds, "dynamic")
+        alone = [] if fidelity in COUPLED else effects.in_motion(inputs, every_effect, shown["set"])
+        if alone:
+            program.say(f"single effects in motion: {len(alone)} at {', '.join(f'{speed:g}' for speed in speeds)} rpm, each a run in time")
+        changes = bearing.under(alone, speeds, "dynamic") if alone else []
         content["dynamic"] = {"ablation": [_motion(change, points, speeds, life) for change, points in changes],
                               "quasi_static": {"polar": list(polar.values())}}
     if fidelity in COUPLED:
+        program.say(f"the same speeds without feedback of the bearings on the gears: {len(grid)} points in motion")
         one_way = bearing.points(grid, fidelity="dynamic")[0]
         content["coupled"] = {"how": how(inputs, fidelity),
                               "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in (life, "outer_load_rms_N")}},
