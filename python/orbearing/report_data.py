@@ -103,8 +103,11 @@ class _Bearing:
 
 
 def influences(content: dict, program: Program, life: str = "") -> dict:
-    """The same for all assumptions of a result, on `life`, else the one that the case requires, else the governing one; `problem` where there is none."""
-    life = life or next((str(one.get("key")) for one in records(content.get("verdicts")) if one.get("requirement") == "life"), "")
+    """The same for all assumptions of a result, on `life`, else the one that the case requires, else the governing one of the worst bearing; `problem` where
+    there is none."""
+    required = next((one for one in records(content.get("verdicts")) if one.get("requirement") == "life"), {})
+    if required.get("key") != record(content.get("peak")).get("life_key"):
+        life = life or str(required.get("result") or "")
     assumed = [str(row.get("key")) for row in records(content.get("assumptions"))]
     try:
         found = program.influences(assumed, life)
