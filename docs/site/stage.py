@@ -89,7 +89,8 @@ def inputs(_) -> str:
     parts = []
     for model, described in schema["$defs"].items():
         if "properties" not in described:
-            parts.append(f"## {model}\n\nAn element of `uncertain` is one of these.\n\n" + table(["key", "required", "optional"], _distributions(described)))
+            choices = table(["key", "required", "optional"], _distributions(described))
+            parts.append(f"## {model}\n\nAn element of `uncertain` is one of these.\n\n{choices}")
             continue
         rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default, _ in _keys(described, "")]
         parts.append(f"## {model}\n\n" + table(["key", "meaning, what it takes", "default"], rows))

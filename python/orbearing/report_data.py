@@ -159,7 +159,7 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
         content["dynamic"] = {"ablation": [_motion(change, points, speeds, life) for change, points in changes],
                               "quasi_static": {"polar": list(polar.values())}}
     if fidelity in COUPLED:
-        program.say(f"the same speeds without feedback of the bearings on the gears: {len(grid)} points in motion")
+        program.say(f"the same speeds without feedback of the bearings on the gears: {len(grid)} {'points' if len(grid) > 1 else 'point'} in motion")
         one_way = bearing.points(grid, fidelity="dynamic")[0]
         content["coupled"] = {"how": how(inputs, fidelity),
                               "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in (life, "outer_load_rms_N")}},

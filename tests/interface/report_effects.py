@@ -1,5 +1,7 @@
 """Single effects that a report switches are data: each one does something, a switch undoes itself, and what does not fit the case is left out."""
 
+import contextlib
+import io
 import os
 import pathlib
 import tempfile
@@ -9,7 +11,7 @@ import program
 from program import BRIEF_GEARS, REDUCER, SETS
 
 from orbearing import effects
-from orbearing.report_data import Program, published
+from orbearing.report_data import Program, complete, published
 
 LAND = "bearing.cage.guide_land_diameter"
 SHORT = (*BRIEF_GEARS, "simulation.most_revolutions=2", "simulation.observed_revolutions=1")
@@ -96,6 +98,44 @@ class Points(unittest.TestCase):
         found = dict(zip(named(changes), self.points(asked, changes, "quasi-static")))
         self.assertIsNone(found["clearance 0 um"])
         self.assertIsNotNone(found["clearance 37 um"])
+
+
+class Stopped(Exception):
+    """Where the motions would begin."""
+
+
+class AtRestAlone(Program):
+    """Answers of the program at rest, all alike."""
+
+    def inputs(self):
+        return inputs(REDUCER)
+
+    def influences(self, assumed, result=""):
+        return {}
+
+    def points(self, **wanted):
+        if wanted["fidelity"] == "dynamic":
+            raise Stopped
+        point = {"life_h": 1.0, "angle_deg": [0.0], "inner_load_N": [1.0], "outer_load_N": [1.0]}
+        return [[point for _ in wanted["speeds"]] for _ in wanted["changes"]]
+
+
+class Progress(unittest.TestCase):
+    """A page of one point in motion takes a minute."""
+
+    def said(self, fidelity, quiet):
+        shown = {"set": "", "settings": [], "speeds_rpm": [1480.0], "peak_speed_rpm": 1480.0}
+        content = {"fidelity": fidelity, "drawing": {"rollers": 1}, "shown": shown}
+        text = io.StringIO()
+        with contextlib.redirect_stderr(text), self.assertRaises(Stopped):
+            complete(content, AtRestAlone(pathlib.Path("nowhere"), quiet=quiet))
+        return text.getvalue()
+
+    def test_motions_are_announced_before_they_are_computed(self):
+        effects_of_case = len(effects.in_motion(inputs(REDUCER), False))
+        self.assertEqual(self.said("dynamic", False), f"report: single effects in motion: {effects_of_case} at 1480 rpm, each a run in time\n")
+        self.assertEqual(self.said("monolithic", False), "report: the same speeds without feedback of the bearings on the gears: 1 point in motion\n")
+        self.assertEqual(self.said("dynamic", True), "")
 
 
 class Published(unittest.TestCase):
