@@ -405,6 +405,8 @@ for (const step of fixture.steps) {
       tiles: page.querySelectorAll('.tile').map((one) => ({
         key: one.dataset.key, classes: one.className, verdict: one.dataset.verdict ?? null, text: clean(seenText(one)), title: one.getAttribute('title'), value: one.querySelector('.figure').dataset.value})),
       tiles_before_inputs: page.querySelector('#work').children.map((one) => one.id),
+      wide: page.querySelectorAll('.column').find((one) => one.classList.contains('wide')).children.map((one) => [one.id.replace('card-', ''), Number(one.style.order)]),
+      players: Object.fromEntries(page.querySelectorAll('.player').filter((one) => one.querySelector('input') && one.closest('.card')).map((one) => [one.closest('.card').id.replace('card-', ''), one.querySelector('input').value])),
       rows: page.querySelectorAll('.row').map((one) => ({
         key: one.dataset.key, state: one.className, shown: isShown(one) && isShown(one.closest('.block')) && isShown(one.closest('.group')), value: one.querySelectorAll('input, select, textarea')[0]?.value,
         unit: one.querySelector('.unit')?.value ?? null, note: clean(one.querySelector('.note').textContent), label: one.querySelector('label').textContent,

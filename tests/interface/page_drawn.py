@@ -307,6 +307,37 @@ class Curves(Drawn):
         self.assertAlmostEqual(read.x(pixel)[0], SPEED, places=6)
         self.assertEqual(value, SPEED)
 
+    def ends(self, chart):
+        """Pixels of the frame: left, right, top, bottom."""
+        across, up = [one for one in chart["lines"] if one[2] == one[3]], [one for one in chart["lines"] if one[0] == one[1]]
+        return min(min(one[:2]) for one in across), max(max(one[:2]) for one in across), min(min(one[2:]) for one in up), max(max(one[2:]) for one in up)
+
+    def test_curves_fill_the_width(self):
+        for name in ("life", "loads", "roller-loads", "pressure"):
+            chart = self.chart(name)
+            at = [x for curve in chart["curves"] for part in curve["paths"] for x, _ in part]
+            for found, wanted in zip((min(at), max(at)), self.ends(chart)):
+                self.assertAlmostEqual(found, wanted, delta=PIXEL, msg=name)
+
+    def test_an_axis_of_lives_has_room_about_them(self):
+        """A tenth more at both ends; a fifth besides where the largest is not 1.2 times the least."""
+        for keys, more in ((LIVES, 1.0), (("life_h",), 1.2)):
+            speeds = (LOW, HIGH) if len(keys) > 1 else (8000.0, 8001.0)
+            case = CASE if len(keys) > 1 else CASE.replace("[8000 rpm, 9000 rpm, 10000 rpm]", "[8000 rpm, 8001 rpm]")
+            chart = self.chart("life") if len(keys) > 1 else page([dump()], (case,))["dumps"]["end"]["cards"]["life"]["charts"][0]
+            values = [value_of(key, speed) for key in LIVES for speed in speeds]
+            read, (_, _, top, bottom) = Read(chart, True), self.ends(chart)
+            self.assertAlmostEqual(math.log10(read.y(bottom)[0] * 1.1 / min(values)), 0, delta=2 * PIXEL * read.y(bottom)[1])
+            self.assertAlmostEqual(math.log10(read.y(top)[0] / 1.1 / max(values)), 0, delta=2 * PIXEL * read.y(top)[1])
+
+    def test_the_cursor_is_drawn_whatever_the_values(self):
+        """Values that are larger than any speed, and smaller ones."""
+        for key in (next(one for one in reversed(KEYS) if "number" in POINT[one]["type"]), KEYS[0]):
+            chart = page([{"what": "open", "selector": "#card-more"}, put("#card-more select", key), cursor_put(8400), dump()])["dumps"]["end"]["cards"]["more"]["charts"][0]
+            (pixel, value), = chart["cursor"]
+            self.assertEqual((value, [one["key"] for one in chart["curves"]]), (8400, [key]))
+            self.assertAlmostEqual(Read(chart).x(pixel)[0], 8400, places=6)
+
     def test_loads_and_loads_of_rollers(self):
         for name, keys, label in (("loads", LOADS, "load of one bearing (N)"), ("roller-loads", OF_ROLLERS, "load of one roller (N)")):
             chart = self.chart(name)
@@ -472,6 +503,10 @@ class AtTheCursor(Drawn):
         cls.nulls = nulls
         cls.check = check_of(CASE)["check"]
         cls.derived = {one["path"]: one["value"] for one in cls.check["derived"]}
+
+    def test_variants_come_before_the_last_card(self):
+        shown = [name for name, _ in sorted(self.dumps["cursor"]["wide"], key=lambda one: one[1])]
+        self.assertEqual(shown.index("variants"), len(shown) - 2, shown)
 
     def test_all_results_are_listed_with_units_and_meanings(self):
         rows = self.dumps["cursor"]["cards"]["point"]["tables"][0]
@@ -784,6 +819,7 @@ class Moved(Drawn):
         flow = {one["member"]: one["speed_rpm"] for one in check_of(CASE)["check"]["power_flow"]}
         planet = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "operation.planet_speed")
         turn, sense = 2.0 / 4, math.copysign(1, planet * (1 - value_of("cage_slip", SPEED)))
+        self.assertEqual(found["playing"]["players"]["bearing"], str(round(1000 * turn)))
         for name in ("playing", "paused"):
             drawings = found[name]["drawings"]
             bearing = next(one for one in drawings if one["aria-label"].startswith("Bearing to scale"))
@@ -972,6 +1008,9 @@ class Motion(Drawn):
         text = self.text("moving")
         self.assertIn("0.2 s of motion, 3.17 revolutions of the cage, slip 5 %.", text)
         self.assertIn("50 % of run 2 of at most 5 done.", text)
+        # The state of the computation is pure rolling of the cage at 1000 rpm in the carrier.
+        planet, half = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "operation.planet_speed") / SPEED, (1 + 5.24 / 35.64) / 2
+        self.assertIn(f"At {readable(1000.0 / abs(planet * half))} rpm: 0.2 s of motion,", text)
         drawing = next(one for one in self.dumps["moving"]["drawings"] if one["aria-label"] == "Bearing in motion, as computed now")
         elements = [part for part in drawing["parts"] if part.get("class", "").startswith("element")]
         for j, part in enumerate(elements):
@@ -983,6 +1022,8 @@ class Motion(Drawn):
             self.assertAlmostEqual(float(part["share"]), (20.0 + j) / 34.0, places=9)
         cage = next(part for part in drawing["parts"] if part.get("class") == "cage")["transform"]
         self.assertEqual([float(one) for one in re.findall(r"-?[\d.]+", cage)], [-0.006, -0.005, -240.0])
+        ring = re.search(r"rotate\((-?[\d.]+)\)", next(part for part in drawing["parts"] if part.get("class") == "outer-ring")["transform"])[1]
+        self.assertAlmostEqual(math.cos(math.radians(float(ring) + 6 * 1000.0 / half * 0.2)), 1, delta=1e-6)
 
 
 class Session(Drawn):
@@ -1130,6 +1171,14 @@ class Edited(Drawn):
                       text_put(CASE), put("[data-key='bearing.rollers'] .slider", "140"), dump("whole")], (CASE, *texts, rollers))["dumps"]
         self.assertEqual([found[name]["text"] for name in ("dragging", "released", "whole")], [*texts, rollers])
 
+    def test_a_slider_of_a_negative_value_spans_to_nought(self):
+        """-20 degC: from -40 to 0 degC in steps of a tenth."""
+        cold = CASE.replace("viscosity: 0.01 Pa.s,", "viscosity: 0.01 Pa.s, temperature: -20 degC,")
+        checks = [{"text": text, **check_of(text)} for text in (cold, cold.replace("-20 degC", "-29.8 degC"))]
+        found = page([put("[data-key='lubricant.temperature'] .slider", "51"), dump()], checks, opened={"kind": "case", "name": "case.yaml", "file": "case.yaml", "text": cold, "checksum": "as opened",
+                     "writable": True, "folder": "/x"})["dumps"]["end"]
+        self.assertEqual(found["text"], checks[1]["text"])
+
     def test_a_typed_unit(self):
         inch = CASE.replace("module: 3 mm", "module: 0.125 inch")
         found = page([put("[data-key='gearset.module'] .unit", "other"), put("[data-key='gearset.module'] input.unit", "inch", "input"), {"what": "event", "selector": "[data-key='gearset.module'] input.unit", "event": "blur"}, dump(),
@@ -1165,12 +1214,14 @@ class Edited(Drawn):
         self.assertEqual(busy["requests"][-1]["settings"], ["input.speed=8400 rpm"])
 
     def test_long_results(self):
-        rest = {"many": [{"name": f"row {i}", "force_N": 1.5 + i} for i in range(70)], "wide": [[float(i) for i in range(14)]], "none": [], "long": [float(i) + 0.5 for i in range(30)]}
+        rest = {"many": [{"name": f"row {i}", "force_N": 1.5 + i} for i in range(70)], "wide": [[float(i) for i in range(14)]], "none": [], "long": [float(i) + 0.5 for i in range(30)],
+                "power_flow": [{"member": "sun", "speed_rpm": 1.5, "torque_N_m": 2.5}, {"member": "ring", "speed_rpm": 3.5, "torque_N_m": -4.5}]}
         card = page([{"what": "open", "selector": "#card-point"}, {"what": "open", "selector": "#card-point details"}, dump()], results={"run": {**RUN, **rest}})["dumps"]["end"]["cards"]["point"]
         many = next(table for table in card["tables"] if ["name", "force"] in table)
         self.assertEqual((len(many), many[60]), (61, ["row 59", "60.5"]))
         self.assertIn(["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "…"], sum(card["tables"], []))
         self.assertIn("long: 30 values", card["text"])
+        self.assertIn([["member", "speed (rpm)", "torque (N m)"], ["sun", "1.5", "2.5"], ["ring", "3.5", "−4.5"]], card["tables"])
 
     def test_a_curve_that_takes_long_has_few_speeds(self):
         """Speeds of the curve: nine at first, sixty where they take no long time."""
@@ -1379,6 +1430,28 @@ class Opened(Drawn):
                 ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "shortest L10mrh (h)"],
                 ["1", "150.5", "160.3", "9\u202f000", "25 %", "87.5 %", "4\u202f321"], ["2", "149.5", "157.3", "8\u202f993", "75 %", "12.5 %", "4\u202f332"]])
             self.assertIn("shortest L10mrh under the spectrum, set second: 5\u202f432 h.", card["text"])
+
+    def test_a_planet_without_a_known_speed(self):
+        """The bearing is drawn, and nothing is said of speeds."""
+        check = check_of(CASE)["check"]
+        unknown = {**check, "derived": [one for one in check["derived"] if one["path"] != "operation.planet_speed"]}
+        found = page([dump()], ({"text": CASE, "check": unknown},))["dumps"]["end"]
+        drawing = next(one for one in found["drawings"] if one["aria-label"].startswith("Bearing to scale"))
+        self.assertEqual(sum(part.get("class", "").startswith("element") for part in drawing["parts"]), ROLLER)
+        self.assertNotIn("NaN", json.dumps(found))
+        self.assertNotRegex(found["cards"]["bearing"]["text"], "Slowed|rpm")
+
+    def test_few_large_rollers_on_a_solid_ring(self):
+        """Three rollers of 11 mm about 20 mm leave 9 mm: no bore is stated and none is drawn, and the marks end at the raceway."""
+        check = check_of(CASE)["check"]
+        sizes = {"bearing.pitch_diameter": 0.02, "bearing.roller_diameter": 0.011, "bearing.rollers": 3, "bearing.bore": None}
+        few = {**check, "inputs": [{**one, "value": sizes.get(one["path"], one["value"])} for one in check["inputs"]],
+               "derived": [one for one in check["derived"] if "raceway" not in one["path"]]}
+        found = page([dump()], ({"text": CASE, "check": few},))["dumps"]["end"]
+        drawing = next(one for one in found["drawings"] if one["aria-label"].startswith("Bearing to scale"))
+        heights = [[math.hypot(float(part[f"x{i}"]), float(part[f"y{i}"])) for i in (1, 2)] for part in drawing["parts"] if part["name"] == "line" and part["path"].split()[0] == "marks"]
+        for outer, inner in heights[12:]:
+            self.assertTrue(0.4 * 9.0 - 1e-9 <= inner < outer <= 9.0 / 2, (inner, outer))
 
     def test_rings(self):
         for rings, parts in (("none", {"raceway": 1, "pin": 1, "ring": 0}), ("outer", {"raceway": 0, "pin": 1, "ring": 1}), ("both", {"raceway": 0, "pin": 0, "ring": 2})):

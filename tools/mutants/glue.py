@@ -8,7 +8,7 @@ import tokenize
 from .draw import IN_TEXT, KINDS, NOT_DECLARED, Mutant, Subject
 
 # Lines without a result: preprocessor, declarations, what is refused.
-IDLE_BEGIN = ("#", "*", "///", "namespace", "using", "template", "static_assert", "friend", "struct", "class", "if constexpr",
+IDLE_BEGIN = ("#", "*", "/*", "///", "namespace", "using", "template", "static_assert", "friend", "struct", "class", "if constexpr",
               "import", "from", "@", "def", "__all__")
 IDLE = re.compile(r"\bassert\b|operator|reserve\(|figsize|fontsize|zorder")
 # In the physics the sources compute; here the slips are those below. How much a picture's margin is moves no result.
