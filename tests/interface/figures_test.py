@@ -884,23 +884,27 @@ class Figures(unittest.TestCase):
 
     def test_of_a_revolution_of_the_carrier(self):
         """A line for each bearing; over the face, of each kind of mesh the one with the largest load per width."""
-        bearings = [{"planet": planet, "position_mm": place, "load_min_N": 1.0, "load_max_N": 2.0, "equivalent_load_N": 3.0, "tilt_max_mrad": 4.0, "L10h_h": life}
-                    for planet, place, life in ((1, -50.0, 900.0), (1, 50.0, 700.0), (2, -50.0, 800.0))]
+        same = {"load_min_N": 1.0, "load_max_N": 2.0, "equivalent_load_N": 3.0, "tilt_max_mrad": 4.0}
+        bearings = [{"planet": planet, "position_mm": place, **same, "L10h_h": life} for planet, place, life in
+                    ((1, -50.0, 900.0), (1, 50.0, 700.0), (2, -50.0, 800.0))]
         meshes = [{"planet": planet, "with": wheel, "K_Hbeta": factor, "face_load_N_per_mm": load} for planet, wheel, factor, load in
-                  ((1, "sun", 1.11, [30.0, 80.0, 10.0]), (2, "sun", 1.22, [40.0, 50.0, 60.0]), (1, "ring", 1.33, [25.0, 35.0, 45.0]), (2, "ring", 1.44, [5.0, 20.0, 65.0]))]
+                  ((1, "sun", 1.11, [30.0, 80.0, 10.0]), (2, "sun", 1.22, [40.0, 50.0, 60.0]),
+                   (1, "ring", 1.33, [25.0, 35.0, 45.0]), (2, "ring", 1.44, [5.0, 20.0, 65.0]))]
         carrier = {"bearings": bearings, "meshes": meshes, "carrier_angle_deg": [0.0, 120.0, 240.0], "face_position_mm": [-20.0, 0.0, 20.0],
                    "bearing_loads_N": [[10.0, 20.0, 30.0], [11.0, 22.0, 33.0], [12.0, 24.0, 36.0]], "expected_load_N": 15.0, "largest_load_share": 2.4}
         with style.context():
             block = carrier_revolution.block(Report({"carrier": carrier, "peak": {"life_key": "L10h"}}, None))
         over = [line(Q([0.0, 120.0, 240.0, 360.0], "deg"), Q([*loads, loads[0]], "N"), f"planet {planet}, at {place} mm")
                 for planet, place, loads in ((1, "−50", [10.0, 11.0, 12.0]), (1, "50", [20.0, 22.0, 24.0]), (2, "−50", [30.0, 33.0, 36.0]))]
-        face = [line(Q(carrier["face_position_mm"], "mm"), most, name) for most, name in (([30.0, 80.0, 10.0], "sun, K_Hβ 1.11"), ([5.0, 20.0, 65.0], "ring, K_Hβ 1.44"))]
-        expected = [Expected(*over, ("level", "torque shared evenly", (Q([15.0], "N"),)), x_label="angle of the carrier (deg)", y_label="load of the bearing (N)",
-                             x_limits=(0.0, 360.0)),
+        face = [line(Q(carrier["face_position_mm"], "mm"), most, name) for most, name in
+                (([30.0, 80.0, 10.0], "sun, K_Hβ 1.11"), ([5.0, 20.0, 65.0], "ring, K_Hβ 1.44"))]
+        expected = [Expected(*over, ("level", "torque shared evenly", (Q([15.0], "N"),)), x_label="angle of the carrier (deg)",
+                             y_label="load of the bearing (N)", x_limits=(0.0, 360.0)),
                     Expected(*face, y="", x_label="position on the face (mm)", y_label="load per width (N/mm)")]
         found = faults("carrier", [panel for picture in block.pictures for panel in picture.panels], expected)
         self.assertEqual(found, [], "\n" + "\n".join(found))
-        self.assertIn("Largest load of one bearing: 36 N, 2.4 times the expected load of 15 N (torque shared evenly). Shortest L10h: 700 h, planet 1, at 50 mm.", block.caption)
+        self.assertIn("Largest load of one bearing: 36 N, 2.4 times the expected load of 15 N (torque shared evenly). "
+                      "Shortest L10h: 700 h, planet 1, at 50 mm.", block.caption)
 
     def test_names_of_modes_stand_at_the_ends_of_their_lines(self):
         """Of two lines with one name between both; a name is 3.2 % of the height above the one below it at least."""

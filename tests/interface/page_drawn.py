@@ -310,7 +310,8 @@ class Curves(Drawn):
     def ends(self, chart):
         """Pixels of the frame: left, right, top, bottom."""
         across, up = [one for one in chart["lines"] if one[2] == one[3]], [one for one in chart["lines"] if one[0] == one[1]]
-        return min(min(one[:2]) for one in across), max(max(one[:2]) for one in across), min(min(one[2:]) for one in up), max(max(one[2:]) for one in up)
+        return (min(min(one[:2]) for one in across), max(max(one[:2]) for one in across),
+                min(min(one[2:]) for one in up), max(max(one[2:]) for one in up))
 
     def test_curves_fill_the_width(self):
         for name in ("life", "loads", "roller-loads", "pressure"):
@@ -333,7 +334,8 @@ class Curves(Drawn):
     def test_the_cursor_is_drawn_whatever_the_values(self):
         """Values that are larger than any speed, and smaller ones."""
         for key in (next(one for one in reversed(KEYS) if "number" in POINT[one]["type"]), KEYS[0]):
-            chart = page([{"what": "open", "selector": "#card-more"}, put("#card-more select", key), cursor_put(8400), dump()])["dumps"]["end"]["cards"]["more"]["charts"][0]
+            found = page([{"what": "open", "selector": "#card-more"}, put("#card-more select", key), cursor_put(8400), dump()])["dumps"]["end"]
+            chart, = found["cards"]["more"]["charts"]
             (pixel, value), = chart["cursor"]
             self.assertEqual((value, [one["key"] for one in chart["curves"]]), (8400, [key]))
             self.assertAlmostEqual(Read(chart).x(pixel)[0], 8400, places=6)
@@ -1009,7 +1011,8 @@ class Motion(Drawn):
         self.assertIn("0.2 s of motion, 3.17 revolutions of the cage, slip 5 %.", text)
         self.assertIn("50 % of run 2 of at most 5 done.", text)
         # The state of the computation is pure rolling of the cage at 1000 rpm in the carrier.
-        planet, half = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "operation.planet_speed") / SPEED, (1 + 5.24 / 35.64) / 2
+        derived = {one["path"]: one["value"] for one in check_of(CASE)["check"]["derived"]}
+        planet, half = derived["operation.planet_speed"] / SPEED, (1 + 5.24 / 35.64) / 2
         self.assertIn(f"At {readable(1000.0 / abs(planet * half))} rpm: 0.2 s of motion,", text)
         drawing = next(one for one in self.dumps["moving"]["drawings"] if one["aria-label"] == "Bearing in motion, as computed now")
         elements = [part for part in drawing["parts"] if part.get("class", "").startswith("element")]
@@ -1175,8 +1178,7 @@ class Edited(Drawn):
         """-20 degC: from -40 to 0 degC in steps of a tenth."""
         cold = CASE.replace("viscosity: 0.01 Pa.s,", "viscosity: 0.01 Pa.s, temperature: -20 degC,")
         checks = [{"text": text, **check_of(text)} for text in (cold, cold.replace("-20 degC", "-29.8 degC"))]
-        found = page([put("[data-key='lubricant.temperature'] .slider", "51"), dump()], checks, opened={"kind": "case", "name": "case.yaml", "file": "case.yaml", "text": cold, "checksum": "as opened",
-                     "writable": True, "folder": "/x"})["dumps"]["end"]
+        found = page([put("[data-key='lubricant.temperature'] .slider", "51"), dump()], checks)["dumps"]["end"]
         self.assertEqual(found["text"], checks[1]["text"])
 
     def test_a_typed_unit(self):
@@ -1449,7 +1451,8 @@ class Opened(Drawn):
                "derived": [one for one in check["derived"] if "raceway" not in one["path"]]}
         found = page([dump()], ({"text": CASE, "check": few},))["dumps"]["end"]
         drawing = next(one for one in found["drawings"] if one["aria-label"].startswith("Bearing to scale"))
-        heights = [[math.hypot(float(part[f"x{i}"]), float(part[f"y{i}"])) for i in (1, 2)] for part in drawing["parts"] if part["name"] == "line" and part["path"].split()[0] == "marks"]
+        marks = [part for part in drawing["parts"] if part["name"] == "line" and part["path"].split()[0] == "marks"]
+        heights = [[math.hypot(float(part[f"x{i}"]), float(part[f"y{i}"])) for i in (1, 2)] for part in marks]
         for outer, inner in heights[12:]:
             self.assertTrue(0.4 * 9.0 - 1e-9 <= inner < outer <= 9.0 / 2, (inner, outer))
 

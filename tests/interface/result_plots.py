@@ -281,8 +281,8 @@ class Moving(Compared):
     def test_balls_are_as_dark_as_they_are_loaded(self):
         """Three balls at three places where the first one had 10, 30 and 20 N: from 15 % without load to 100 % at the largest."""
         angle = 0.2 + 2 * np.pi * np.arange(3) / 3
-        run = {"time": np.array([0.0, 1.0, 2.0]), "first_ball_angle": angle, "first_ball_inner_load": np.array([10.0, 30.0, 20.0]), "inner_speed": np.ones(3),
-               **{name: np.full(3, 1e-5) for name in ("cage_x", "cage_y", "inner_x", "inner_y")}}
+        run = {"time": np.array([0.0, 1.0, 2.0]), "first_ball_angle": angle, "first_ball_inner_load": np.array([10.0, 30.0, 20.0]),
+               "inner_speed": np.ones(3), **{name: np.full(3, 1e-5) for name in ("cage_x", "cage_y", "inner_x", "inner_y")}}
         figure = Figure()
         animate.Drawing(figure, self.VALUES, run).show(0.0)
         wanted = [0.15 + 0.85 * load / 30.0 for load in (10.0, 30.0, 20.0)]

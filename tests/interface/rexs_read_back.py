@@ -261,14 +261,15 @@ class Bearings(ReadBack):
         self.reads(self.case(still, "6205_lager_30"), operation__outer_speed=30.0 * RPM)  # of those that rotate
 
     def test_a_bearing_between_two_shafts_loads_each_at_its_own_place(self):
-        """The first shaft ends in the bore of another that begins at 60 mm, 20 mm from its end; bearings in the casing hold that one at 40 and 140 mm of its own."""
+        """The first shaft ends in the bore of another that begins at 60 mm of it; bearings in the casing hold that one at 40 and 140 mm of its own."""
         model = rexs_files.gearbox()
         model.add(50, "shaft", "Outer", support_vector=([60.0, 0.0, 0.0], "mm"))
         with_attributes(model, 31, u_coordinate_on_shaft_outer_side=(20.0, "mm"))
-        model.relations = [(kind, [(role, 50 if role == "outer_part" and ("assembly", 31) in roles else part) for role, part in roles]) for kind, roles in model.relations]
+        model.relations = [(kind, [(role, 50 if role == "outer_part" and ("assembly", 31) in roles else part) for role, part in roles])
+                           for kind, roles in model.relations]
         for number, place in ((60, 40.0), (61, 140.0)):
-            model.add(number, "rolling_bearing_with_catalog_geometry", f"{number}", catalogue_designation="6205", bearing_type="radial_grooved_ball_bearing",
-                      u_coordinate_on_shaft_inner_side=(place, "mm"))
+            model.add(number, "rolling_bearing_with_catalog_geometry", f"{number}", catalogue_designation="6205",
+                      bearing_type="radial_grooved_ball_bearing", u_coordinate_on_shaft_inner_side=(place, "mm"))
             model.relate("side", assembly=number, inner_part=50, outer_part=rexs_files.CASING)
         found = {entry["component"]: entry["figures"].get("radial_force_N") for entry in self.converted(model).report["bearings"]}
         force = 50.0 / 0.02 / math.cos(math.radians(20.0))  # of the teeth, in the middle of both bearings of the first shaft
