@@ -323,24 +323,42 @@ class CatalogueCase {
     put_default("bearing.cage.width", millimetres(cage.width), reason);
   }
 
+  // Of a bearing with both rings, as it is bought.
+  bool has_clearance_before_mounting() const {
+    const FieldValue* rings = find(catalogue_keys::kRings);
+    return entry_ != nullptr && entry_->family != catalogue::Family::needle_cage &&
+           (rings == nullptr || rings->given == "both");
+  }
+
+  // A clearance that takes the place of a default class is before mounting as well. Planets with two gears,
+  // or in pairs, take that of the running bearing alone.
+  void fill_state_of_stated_clearance() {
+    if (entry_ == nullptr) return;
+    const bool before_mounting = has_clearance_before_mounting() &&
+                                 find("gearset.stepped_planet.teeth") == nullptr &&
+                                 find("gearset.second_planet.teeth") == nullptr;
+    const Field& running = *find_field(catalogue_keys::kState);
+    put_default(catalogue_keys::kState, before_mounting ? "unmounted" : running.default_text,
+                "default: " + (before_mounting ? "clearance before mounting, as that of a designation's class"
+                                               : running.default_reason));
+  }
+
   // That of the designation's suffix, else normal: as bearings are bought where nobody asks for another
   // clearance.
   void fill_default_class() {
     const std::string path = prefix_ + catalogue_keys::kClass;
-    const auto known = data_.values.find(path),
-               clearance = data_.values.find(prefix_ + catalogue_keys::kClearance);
-    const bool stated = clearance != data_.values.end() && !clearance->second.from_default;
-    if (known != data_.values.end() && known->second.from_default && stated &&
-        clearance->second.replaced.empty()) {
+    auto known = data_.values.find(path);
+    const auto clearance = data_.values.find(prefix_ + catalogue_keys::kClearance);
+    const bool stated = clearance != data_.values.end() && !clearance->second.from_default &&
+                        clearance->second.replaced.empty();
+    if (known != data_.values.end() && known->second.from_default && stated) {
       data_.values.erase(known);
       data_.assumed.erase(path);
-      const Field& as_given = *find_field(catalogue_keys::kState);
-      return put_default(catalogue_keys::kState, as_given.default_text,
-                         "default: " + as_given.default_reason);
+      known = data_.values.end();
     }
-    const FieldValue *rings = find(catalogue_keys::kRings), *state = find(catalogue_keys::kState);
-    if (entry_ == nullptr || known != data_.values.end() || clearance != data_.values.end() ||
-        entry_->family == catalogue::Family::needle_cage || (rings != nullptr && rings->given != "both") ||
+    if (known == data_.values.end() && stated) return fill_state_of_stated_clearance();
+    const FieldValue* state = find(catalogue_keys::kState);
+    if (known != data_.values.end() || clearance != data_.values.end() || !has_clearance_before_mounting() ||
         (state != nullptr && state->given == "operating"))
       return;
     const ReadDesignation read =
@@ -842,6 +860,29 @@ void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const 
 }
 
 }  // namespace
+
+std::vector<std::string> stated_beside_designation(const ResolvedCase& resolved,
+                                                   const std::vector<std::string>& varied) {
+  const auto is_varied = [&](const std::string& path) {
+    return std::ranges::find(varied, path) != varied.end();
+  };
+  std::vector<std::string> messages;
+  for (const std::string& path : varied) {
+    const std::string set = set_of(path);
+    if (path != set + catalogue_keys::kDesignation && path != set + catalogue_keys::kCatalogue) continue;
+    std::vector<std::string> kept;
+    for (const char* one : {catalogue_keys::kDynamic, catalogue_keys::kStatic, catalogue_keys::kLimit,
+                            "bearing.cage.inner_diameter", "bearing.cage.outer_diameter",
+                            "bearing.cage.width", "bearing.cage.guide_land_diameter"})
+      if (is_stated(resolved, set + one) && !is_varied(set + one)) kept.push_back(set + one);
+    if (!kept.empty())
+      messages.push_back(
+          fmt::format("{}: {}: found a varied bearing beside {} as stated, which would be the same "
+                      "for each bearing; required: a case without {}, or values that vary too",
+                      resolved.file(), path, fmt::join(kept, ", "), kept.size() > 1 ? "them" : "it"));
+  }
+  return messages;
+}
 
 namespace {
 

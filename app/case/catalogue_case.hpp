@@ -43,6 +43,11 @@ bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, co
 /// case replaces: what every result of theirs is to be read with.
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
 
+/// What is wrong with a study of the inputs `varied`: a designation, or the catalogue, is varied while the
+/// case states ratings or sizes of a cage that would stand beside each of them.
+std::vector<std::string> stated_beside_designation(const ResolvedCase& resolved,
+                                                   const std::vector<std::string>& varied);
+
 /// The one line that the case takes out of its own catalogue at `path`, as a table; none where it takes none.
 std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path);
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/case/case_file.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"
@@ -217,6 +218,7 @@ Json answer_of(const orbearing_case* stated, const Json& query) {
   if (of == "file") return content.file();
   if (of == "source") return source_json(stated->source);
   if (of == "without_effect") return without_effect(content, query);
+  if (of == "stated_beside_designation") return app::stated_beside_designation(content, query.at("paths"));
   if (of == "hash") return app::case_hash(content);
   if (of == "resolved") return stated->of.resolved();
   if (of == "value" || of == "given" || of == "si")

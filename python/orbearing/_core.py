@@ -196,6 +196,10 @@ class CoreCase:
         """Of varied inputs, those without effect on this case, with a message each for users."""
         return _query(self.handle, of="without_effect", paths=list(paths), fidelity=fidelity or "")
 
+    def stated_beside_designation(self, paths) -> list[str]:
+        """A message for each varied designation beside which the case states ratings, or sizes of a cage, that would not vary with it."""
+        return _query(self.handle, of="stated_beside_designation", paths=list(paths))
+
     def hash(self) -> str:
         """Of the resolved case."""
         return _query(self.handle, of="hash")

@@ -411,6 +411,8 @@ class Inside:
             value, origin = self.source.number(self.bearing, name)
             if value is not None:
                 self.draft.put("bearing.radial_clearance", quantity(value, "um"), origin)
+                if "bearing.designation" in self.draft.values and not self.balls and name != "shelf_clearance":
+                    self.draft.put("bearing.clearance_state", "operating", origin)
                 if name == "shelf_clearance":
                     self.source.ledger.miss(self.draft.name, "bearing.radial_clearance", "operating_clearance", self.bearing,
                                             "the file states the clearance before mounting alone", quantity(value, "um"))

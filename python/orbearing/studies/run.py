@@ -118,7 +118,9 @@ def compute(core, design: Design, engine, executor, *, life_key: str, output=Non
 
 
 def require_effect(core, design: Design, fidelity: str) -> None:
-    """Raises CaseError with each varied input that has no effect on any point of the study."""
+    """Raises CaseError with each varied input that has no effect on any point of the study, or whose ratings stay as stated."""
+    if beside := core.stated_beside_designation([p.path for p in design.parameters]):
+        raise CaseError(beside)
     without = None
     for settings in _settings_of_each_value(design):
         try:
