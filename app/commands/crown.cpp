@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "app/case/resolved_writer.hpp"
-#include "app/case/spectrum_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -15,7 +14,6 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_study.hpp"
-#include "app/study/derivatives.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -45,32 +43,15 @@ std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const 
   return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
 }
 
-std::optional<LivesInRun> lives_in_run(const ResolvedCase& given, const CrownStudy& study) {
-  const CrownDesign& design = study.recommended.design;
-  if (given.shape().several || given.has(kSpectrumPath) || design.has_share) return std::nullopt;
-  const ResolvedCase point = given.without_sweep();
-  const ResolvedCase crowned = point.with(
-      std::vector<Setting>{{"bearing.profile.kind", design.profile},
-                           {"bearing.profile.drop", fmt::format("{:.6g} um", 1e6 * design.crown.drop)}});
-  const ScalarResult life = scalar_result(point);
-  return LivesInRun{life.quantity, life.compute(point).number, life.compute(crowned).number};
-}
-
-std::string text_in_run(const std::optional<LivesInRun>& lives) {
-  if (!lives) return "";
-  return fmt::format("\nrun gives {} {:.6g} h for the case, {:.6g} h with the recommended profile\n",
-                     lives->key, lives->of_case, lives->recommended);
-}
-
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
                                    const std::vector<std::string>& noted, const CrownStudy& study,
                                    const Record& record) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
   object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
-  object["warnings"] = joined(noted, gear_warnings(resolved), slope_warnings(resolved),
+  object["warnings"] = joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
                               overturning_warnings(resolved.without_sweep()), clearance_warnings(resolved),
-                              require_crown_uses(resolved, options), study.warnings);
+                              require_crown_uses(resolved, options));
   object["versions"] = versions_json();
   object["units"] = units_of(record);
   return object;
@@ -93,12 +74,14 @@ int crown_command(const Options& options) {
     result = read_crown(options.output);
   } else {
     CrownStudy study = computed(request, options);
-    study.in_run = lives_in_run(given, study);
+    put_lives_in_run(given, options.crown.of_set, options.jobs, study);
+    const std::string warning = warning_of_recommended(study);
+    if (!warning.empty()) study.warnings.insert(study.warnings.begin(), warning);
     Record record;
     describe(record, study);
     if (options.take_record) options.take_record(record);
     result = {result_json(resolved, options.crown, noted, study, record),
-              text_of(record) + text_in_run(study.in_run), study.failed};
+              text_of(record) + text_in_run(study), study.failed};
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {
       write_crown(options.output, result);

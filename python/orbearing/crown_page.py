@@ -28,15 +28,16 @@ def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
 
 
 def headline(study: Report) -> str:
-    """The advice in one sentence."""
+    """The advice in one sentence, behind the governing life that it shortens."""
     advice = study.record("recommended")
+    shortened = f"The recommended drop of {format_number(advice.get('drop_um'), 3)} µm {advice.get('status')}. " if advice.get("shortens_governing_life") else ""
     left = f"{format_number(100 * (advice.get('straight_life_share') or 0.0), 3)} %"
     within = record(advice.get("within_tolerances"))
     life = format_quantity((within or advice).get("half_space_life_h"), "h", 3) + (" within the tolerances" if within else "")
     if advice.get("no_crown_needed"):
         ends = " with relieved ends" if advice.get("rollers") == "straight with relieved ends" else ""
-        return f"No crown is needed: straight rollers{ends} keep {left} of the {life} that the best drop gives."
-    return (f"A drop of {format_number(advice.get('drop_um'), 3)} µm ({advice.get('profile')}) gives {life}, "
+        return f"{shortened}No crown is needed: straight rollers{ends} keep {left} of the {life} that the best drop gives."
+    return (f"{shortened}A drop of {format_number(advice.get('drop_um'), 3)} µm ({advice.get('profile')}) gives {life}, "
             f"of which straight rollers leave {left}.")
 
 

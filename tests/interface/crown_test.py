@@ -46,6 +46,36 @@ def life_at(study, drop, tilt):
 STATED = ("--tilts", "0 mrad, 1 mrad, 2 mrad")
 
 
+class LivesInRun(unittest.TestCase):
+    """Lives that `run` gives for the recommended profile, under the spectrum of the case; where it shortens them, that stands first."""
+
+    CASE = CASES / "templates" / "industrial.yaml"
+    SETTINGS = ("bearing.laminae=30", "spectrum=[{power: 120 kW, speed: 1500 rpm, share: 0.3}, {power: 10 kW, speed: 750 rpm, share: 0.7}]")
+
+    def life_in_run(self, key, *settings):
+        words = [word for setting in (*self.SETTINGS, *settings) for word in ("--set", setting)]
+        return json.loads(call("run", self.CASE, "--json", *words).stdout)["spectrum"][key]
+
+    def test_of_a_profile_that_shortens_the_life(self):
+        words = [word for setting in self.SETTINGS for word in ("--set", setting)]
+        with tempfile.TemporaryDirectory() as folder:
+            done = call("crown", self.CASE, "-o", pathlib.Path(folder) / "out", "--drops", "0 um : 12 um : 4 um", "--starts", "1", *words)
+            found = json.loads((pathlib.Path(folder) / "out" / "crown.json").read_text(encoding="utf-8"))["result"]
+        lives, tilted, advice = found["in_run"], found["in_run"]["at_study_tilt"], found["recommended"]
+        profile = "bearing.profile={{kind: iso16281, drop: {:.6g} um}}"
+        self.assertEqual(lives["case_h"], self.life_in_run(lives["life_key"]))
+        self.assertEqual(lives["recommended_h"], self.life_in_run(lives["life_key"], profile.format(advice["drop_um"])))
+        self.assertAlmostEqual(lives["longest_h"] / self.life_in_run(lives["life_key"], profile.format(lives["longest_drop_um"])), 1, delta=1e-5)
+        self.assertGreaterEqual(lives["longest_h"], max(lives["recommended_h"], self.life_in_run(lives["life_key"], profile.format(4))))
+        self.assertEqual((tilted["recommended_h"], tilted["longest_h"]), (advice["governing_life_h"], found["optimum"]["governing_life_h"]))
+        self.assertLess(lives["recommended_h"], lives["case_h"])
+        self.assertTrue(advice["shortens_governing_life"])
+        said = f"recommended: a drop of {advice['drop_um']:.3g} um {advice['status']}"
+        self.assertIn(f"shortens L10mrh of run from {lives['case_h']:.6g} to {lives['recommended_h']:.6g} h; the longest is", advice["status"])
+        self.assertEqual((found["warnings"][0], done.stdout.splitlines()[0]), (said, "warning: " + said))
+        self.assertTrue(done.stdout.splitlines()[-1].startswith(f"run gives {lives['life_key']} {lives['case_h']:.6g} h for the case, "))
+
+
 class RangeOfDrops(unittest.TestCase):
     """The drops that are studied extend until the best lies below the greatest, unless they are stated."""
 

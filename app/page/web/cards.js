@@ -792,7 +792,7 @@ export class CrownCard extends AskedCard {
     const told = best ?
         element(
             'p', {class: 'told'},
-            (best.shortens_governing_life ? `Before you take this drop: ${best.status}. ` : '') +
+            (best.shortens_governing_life ? `This drop ${best.status}. ` : '') +
             'The drop is chosen by half-space pressures, which contain the peaks at the ends of the rollers. ' +
                 'Laminae have the stress riser of the standard instead. ' +
                 (inRun ? `Design by the tile: ${inRun.life_key} is ${readable(inRun.case_h)} h now and ` +

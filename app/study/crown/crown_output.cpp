@@ -157,6 +157,10 @@ void describe_tolerance(Record& record, const CrownStudy& study) {
 
 void describe_recommended(Record& record, const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
+  record.value("status", "ok, or how it shortens the governing life", status_of_recommended(study));
+  record.value("shortens_governing_life",
+               "whether the life in run, or at the tilts of this study, is shorter",
+               study.in_run && study.in_run->is_shorter());
   record.value("profile", "kind", design.profile);
   record.value(
       "drop_um", dimension::small_length,
@@ -189,10 +193,19 @@ void describe_recommended(Record& record, const CrownStudy& study) {
   record.table("curve", "curve", "life over drop", advice.curve, describe_drop_life).detail = true;
 }
 
-void describe_in_run(Record& record, const LivesInRun& lives) {
-  record.value("life_key", "governing life", lives.key);
+void describe_lives(Record& record, const LivesOfCrowns& lives) {
   record.value("case_h", dimension::hours, "of the case as it is", lives.of_case);
   record.value("recommended_h", dimension::hours, "with the recommended profile", lives.recommended);
+  record.value("longest_h", dimension::hours, "with the drop that has the longest life", lives.longest);
+  record.value("longest_drop_um", dimension::small_length, "that drop", lives.longest_drop);
+  record.value("longest_profile", "kind of that profile", lives.longest_profile);
+}
+
+void describe_in_run(Record& record, const CrownStudy& study) {
+  record.value("life_key", "governing life of the worst bearing", study.in_run->key);
+  describe_lives(record, study.in_run->run);
+  record.child("at_study_tilt", "the life that the optimum makes longest, at the tilts of this study",
+               study.in_run->at_study_tilt, describe_lives);
 }
 
 // Over profile, drop and tilt.
@@ -257,11 +270,10 @@ void describe(Record& record, const CrownStudy& study) {
   record.table("optima", "optimum", "of each profile", study.searches, describe_search);
   describe_front(record, study);
   if (study.in_run)
-    record.child("in_run", "governing life that run gives", *study.in_run, describe_in_run);
+    record.child("in_run", "governing life that run gives, under the spectrum of the case", study,
+                 describe_in_run);
   else
-    record.nothing("in_run",
-                   "governing life that run gives: under a spectrum, of several sets, and of a profile "
-                   "with a straight middle, none");
+    record.nothing("in_run", "governing life that run gives: not computed");
   record.value("profiles", "in the order of the grid", fmt::format("{}", fmt::join(request.profiles, " ")))
       .in_files_alone = true;
   describe_grid(record, study);

@@ -16,7 +16,7 @@ namespace {
 using namespace study::crowning;
 using bearing::profile::Profile;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kAtEnd = 1e-6;  // of the greatest drop
 
 // All that computing needs, laid out once.
@@ -62,7 +62,7 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   }
   const std::vector<double> lives = pressure_lives(bench.problem, bench.pressure, made, tilts, bench.jobs);
   design.pressure_life_hours = *std::min_element(lives.begin(), lives.end());
-  design.life_in_band = design.untilted_life_hours = design.untilted_pressure_life_hours = kNone;
+  design.life_in_band = design.untilted_life_hours = design.untilted_pressure_life_hours = kNotKnown;
   if (bench.request.computes_tilt()) return design;
   const Lean none = Lean::Zero();
   const bool studied = tilts.front() == 0.0;
@@ -70,6 +70,15 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   design.untilted_pressure_life_hours =
       studied ? lives.front() : pressure_life_hours(bench.problem, bench.pressure, made, none);
   return design;
+}
+
+// Governing life of the rollers as the case has them, worst over the tilts.
+double case_hours(const Bench& bench) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double tilt : bench.request.tilts)
+    shortest = std::min(shortest, life_hours(bench.problem, bench.problem.bearing.rollers().profile,
+                                             lean_by(bench.problem, tilt)));
+  return shortest;
 }
 
 CrownDesign crowned(const Bench& bench, const std::string& name, const ProfileFamily& family,
@@ -219,6 +228,7 @@ CrownStudy studied(const CrownRequest& request, int jobs, const Progressed& prog
     const ProfileFamily standard = family_of("iso16281", problem.bearing, 1.0);
     study.reference = crowned(bench, "iso16281", standard, {drop, 1.0});
     study.recommended = recommendation(bench, study);
+    study.case_hours = case_hours(bench);
   } catch (const std::runtime_error& error) {
     throw ComputationFailed(std::string("crown: ") + error.what());
   }

@@ -44,11 +44,25 @@ struct Recommendation {
   std::vector<study::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
 };
 
-/// Governing life that `run` of the case gives [h], as it is and with the recommended profile.
-struct LivesInRun {
-  std::string key;
+/// Lives [h] of the case as it is, with the recommended profile, and with the drop that has the longest one.
+struct LivesOfCrowns {
   double of_case = 0.0;
   double recommended = 0.0;
+  double longest = 0.0;
+  double longest_drop = 0.0;  // [m]
+  std::string longest_profile;
+
+  /// Whether the recommended profile shortens the life.
+  bool is_shorter() const;
+};
+
+/// By the governing life of the case, and by that of the study.
+struct LivesInRun {
+  std::string key;
+  LivesOfCrowns run;            // of the worst bearing, as `run` has it: its tilts, its spectrum
+  LivesOfCrowns at_study_tilt;  // of one bearing, by the laminae and the tilts of the study
+
+  bool is_shorter() const;
 };
 
 struct CrownStudy {
@@ -63,8 +77,9 @@ struct CrownStudy {
   std::vector<CrownSearch>
       robust;  // (profiles) best within the tolerances; empty without any, or computed tilts
   std::size_t best_robust = 0;
-  Recommendation recommended;  // for the tolerances where there are such
-  std::optional<LivesInRun> in_run;  // none under a spectrum, of several sets, of a profile with a straight middle
+  Recommendation recommended;        // for the tolerances where there are such
+  double case_hours = 0.0;           // [h]  governing life with the profile of the case, worst over the tilts
+  std::optional<LivesInRun> in_run;  // once put_lives_in_run() has computed it
   std::vector<std::string> warnings;
   int failed = 0;  // points without balance
 };
@@ -72,6 +87,18 @@ struct CrownStudy {
 /// Runs it on `jobs` threads (0: all); `progressed` is called with finished points of the grid. Throws
 /// ComputationFailed where no crown could be found at all.
 CrownStudy crown_study(const CrownRequest& request, int jobs, const study::crowning::Progressed& progressed);
+
+/// Lives with the recommended profile as `run` of the case gives them, under its spectrum where it states
+/// one; `set`: of several sets, the one that was studied.
+void put_lives_in_run(const ResolvedCase& given, const std::string& set, int jobs, CrownStudy& study);
+
+/// "ok", or by how much the recommended profile shortens the life that results go by.
+std::string status_of_recommended(const CrownStudy& study);
+/// The same as a warning; empty where there is none.
+std::string warning_of_recommended(const CrownStudy& study);
+
+/// The lives in run for terminals.
+std::string text_in_run(const CrownStudy& study);
 
 /// `points`, `optimum`, `straight` and what stands beside them; nothing where a point failed.
 void describe(described::Record& record, const CrownStudy& study);
