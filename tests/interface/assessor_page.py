@@ -411,6 +411,20 @@ class Words(unittest.TestCase):
         self.assertEqual(said(True, True), "2 of 2 requirements are met.")
         self.assertEqual(said(), "The case states no requirements.")
 
+    def test_a_change_without_a_whole_has_no_share(self):
+        package()
+        from orbearing import assessor
+        for change, whole, wanted in ((5.0, 50.0, 10.0), (None, 50.0, None), (5.0, None, None), (5.0, 0.0, None), (-3.0, 60.0, -5.0)):
+            self.assertEqual(assessor._relative({"change": change}, {"quantity": "life_h", "life_h": whole}), wanted)
+
+    def test_what_a_spectrum_uses_of_the_life_is_in_per_cent(self):
+        package()
+        from orbearing import assessor
+        from orbearing.result_folder import Report
+        bins = [{"bin": 1, "power_kW": 5.0, "torque_N_m": 20.0, "speed_rpm": 1000.0, "share": 1.0, "damage_share": 1.0, "life_h": 400.0}]
+        page = assessor._damage(Report({"spectrum": {"bins": bins, "life_key": "life_h", "life_h": 400.0, "system_life_h": 200.0, "hours": 50.0, "used_up": 0.125}}), assessor.Most())
+        self.assertIn("In 50 h the spectrum uses 12.5 % of the life.", page)
+
 
 class SingleBearings(unittest.TestCase):
     """From a designation to the page."""
@@ -488,7 +502,11 @@ class SingleBearings(unittest.TestCase):
             self.assertAlmostEqual(number(rows[symbol][column]), printed(found[key]), delta=1e-9 * found[key], msg=key)
         self.assertEqual(rows["C"][2], "ISO 281:2007, 5.1")
         state = {row[0]: row[1] for row in rows_of(page, "pair")}
-        self.assertAlmostEqual(number(state["approach of each row [µm]"]), printed(found["approach_um"]), 9)
+        for words, key in (("approach of each row [µm]", "approach_um"), ("contact angle, inner race [deg]", "contact_angle_deg"),
+                           ("contact angle, outer race [deg]", "outer_contact_angle_deg"), ("largest load of a ball, inner race [N]", "inner_load_max_N"),
+                           ("largest load of a ball, outer race [N]", "outer_load_max_N")):
+            self.assertAlmostEqual(number(state[words]), printed(found[key]), 9, words)
+        self.assertNotEqual(printed(found["inner_load_max_N"]), printed(found["outer_load_max_N"]))
         self.assertAlmostEqual(number(state["stiffness, z [N/m]"]), printed(found["stiffness_matrix"][2][2]), delta=1e4)
         self.assertIn('<section id="element-loads">', page)
 

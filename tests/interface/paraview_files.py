@@ -72,6 +72,7 @@ class Files(unittest.TestCase):
         np.testing.assert_allclose(numbers["load_per_length_N_per_m"][:, :, 0], loads * 40 / 9.6e-3, rtol=1e-12)
         np.testing.assert_allclose(middle[:, 0, :2], 32.5e-3 * np.stack([np.cos(angles), np.sin(angles)], axis=1), atol=1e-12)
         np.testing.assert_allclose(middle[0, [0, -1], 2], [-4.68e-3, 4.68e-3], rtol=1e-12)
+        np.testing.assert_array_equal(found["offsets"], np.arange(4, len(found["connectivity"]) + 1, 4))  # where each of four corners ends
         radius = np.hypot(*(found["position"][:2] - [*middle[0, 0, :2], 0])[:, :2].T)
         np.testing.assert_allclose(radius, 5e-3, rtol=1e-12)
 

@@ -4,7 +4,9 @@
 Every table below a figure has to be expected here. Exit code 77 (skipped) where matplotlib or netCDF4 is missing.
 """
 
+import contextlib
 import html
+import io
 import re
 import tempfile
 import unittest
@@ -21,6 +23,7 @@ from orbearing.figures import roller_pressure
 from orbearing.point_file import PointFile
 from orbearing.result_folder import Report, read_report
 from orbearing.uncertainties import page as uncertain_page
+from orbearing.uncertainties.__main__ import print_result
 
 EVERY = 5  # one in so many instants stands in tables over time; of the cage's path one in ten
 
@@ -539,6 +542,12 @@ class OfPages(unittest.TestCase):
                                                         **{f"{p} %": [band["percentiles"][p] for _, band in bands] for p in percents}})
         low, high = (number(point["of_uncertain_inputs"]["percentiles"][p], 4) for p in ("5", "95"))
         self.assertEqual(uncertain_page.headline(data), f"At 3,000 rpm system life lies between {low} and {high} h (5 to 95 %); measure bearing.radial_clearance first.")
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            print_result({**data, "measure_first": [{"result": "life", "measure": "x", "standard_deviation": 9.0, "expected_standard_deviation_after": 7.0}]})
+        band = lambda row, key: f"{key} {row[key]:6.3f} ({row[f'{key}_95'][0]:6.3f} to {row[f'{key}_95'][1]:6.3f})"  # noqa: E731
+        lines = [f"  {row['inputs']:29}  {band(row, 'first')}  {band(row, 'total')}" for row in sorted(point["indices"], key=lambda row: -row["first"])]
+        self.assertIn("indices (95 %), the input to measure first on top:\n" + "\n".join(lines) + "\n", said.getvalue())
         rows = data["speeds"]
         self.table(uncertain_page._band_table(data), {"input speed (rpm)": column(rows, "speed_rpm"), "the case (h)": column(rows, "life_at_the_case_h"),
                                                       **{f"inputs {p} % (h)": Q([r["of_uncertain_inputs"]["percentiles"][p] for r in rows], "h") for p in percents},
