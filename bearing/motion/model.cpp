@@ -34,10 +34,10 @@ double radius_of_race(const Bearing& bearing, const BearingGeometry& geometry, c
   return inner ? radius - film.inner : radius + film.outer;
 }
 
-// Speeds over which friction and films are rounded are at most a share of the speed at pure rolling: a slow
-// bearing would otherwise slip by them.
-RaceContactParameters with_scales_of(const BearingGeometry& geometry, const OperatingPoint& point,
-                                     RaceContactParameters given) {
+}  // namespace
+
+RaceContactParameters with_limited_scales(const BearingGeometry& geometry, const OperatingPoint& point,
+                                          RaceContactParameters given) {
   constexpr double nothing_rolls = 1e-6;  // [m/s]
   const double cage = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
   const double rolling = geometry.inner_radius * std::abs(cage - point.inner_speed);
@@ -48,11 +48,9 @@ RaceContactParameters with_scales_of(const BearingGeometry& geometry, const Oper
   return given;
 }
 
-}  // namespace
-
 RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
                      Race race, const DynamicsParameters& parameters) {
-  const RaceContactParameters given = with_scales_of(geometry, point, parameters.race);
+  const RaceContactParameters given = with_limited_scales(geometry, point, parameters.race);
   const FilmContact film = film_contact(bearing, geometry, race, parameters.lubricant);
   RaceModel model;
   model.side = race == Race::inner ? -1.0 : 1.0;
@@ -360,7 +358,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
   const BearingGeometry geometry = geometry_of(bearing);
   check(bearing, geometry, stated);
   DynamicsParameters parameters = stated;
-  parameters.race = with_scales_of(geometry, point, stated.race);
+  parameters.race = with_limited_scales(geometry, point, stated.race);
   OperatingPoint moving = point;
   moving.outer_race = moving_waves(point.outer_race, parameters.rim);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;

@@ -54,6 +54,12 @@ struct RaceModel : vectorised::RaceLaws {
   std::vector<RaceScratch> scratches = {};
 };
 
+/// Speeds over which friction and films are rounded, at most `sliding_share` of the speed at pure rolling: a
+/// slow bearing would otherwise slip by them. Without rotation they stay: who drives a bearing at speeds that
+/// are not known here limits them before.
+RaceContactParameters with_limited_scales(const BearingGeometry& geometry, const OperatingPoint& point,
+                                          RaceContactParameters given);
+
 /// Laws of `race`. `point` gives the film that is subtracted where the source's printed approach is asked
 /// for.
 RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "bearing/motion/model.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/dynamics/model.hpp"
@@ -12,8 +14,10 @@ namespace orbearing::study {
 system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
                                                 const DrivetrainGeometry& geometry) {
   const bearing::OperatingPoint point = bearing_duty(drivetrain, geometry).point;
+  bearing::motion::DynamicsParameters dynamics = bearing_dynamics(drivetrain, geometry);
+  dynamics.race = bearing::motion::with_limited_scales(geometry.bearing, point, dynamics.race);
   return {.bearing = drivetrain.bearing,
-          .dynamics = bearing_dynamics(drivetrain, geometry),
+          .dynamics = std::move(dynamics),
           .orbit_radius = geometry.gears.centre_distance,
           .first_roller = drivetrain.steady_state.first_roller,
           .reduction_factor = drivetrain.reduction_factor,

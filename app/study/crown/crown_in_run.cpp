@@ -21,6 +21,7 @@ namespace {
 
 using study::crowning::Crown;
 
+constexpr double kNoDrop = 1e-10;  // [m]  round-off of a search that ends at a straight roller
 constexpr double kShorter = 1e-5;  // [-]  of a life: settings of a drop have six digits
 
 // Governing life [h] of the worst bearing: at the operating point, or under the spectrum of the case.
@@ -124,7 +125,7 @@ void put_lives_in_run(const ResolvedCase& given, const std::string& set, int job
   lives.at_study_tilt = {.of_case = study.case_hours,
                          .recommended = design.life_hours,
                          .longest = longest.life_hours,
-                         .longest_drop = longest.crown.drop,
+                         .longest_drop = longest.crown.drop > kNoDrop ? longest.crown.drop : 0.0,
                          .longest_profile = longest.profile};
   study.in_run = std::move(lives);
 }
