@@ -101,7 +101,7 @@ class LoadSpectrum(unittest.TestCase):
     def test_crown(self):
         found = self.answer("crown", CASE, *settings(SHIPPED, "bearing.rollers=7"), "--drops", "0 um, 3 um, 6 um", "--tilts", "0 mrad, 1 mrad", "--starts", 1)
         advice = found["recommended"]
-        self.assertEqual(list(advice)[:4], ["profile", "drop_um", "least_drop_um", "most_drop_um"])
+        self.assertEqual(list(advice)[:6], ["status", "shortens_governing_life", "profile", "drop_um", "least_drop_um", "most_drop_um"])
         self.assertLessEqual(advice["least_drop_um"], advice["drop_um"])
         self.assertGreaterEqual(advice["most_drop_um"], advice["drop_um"])
         self.assertEqual(len(advice["points"]), 7)
