@@ -22,7 +22,7 @@ from program import CASES, LEFT_TO_FULL, REDUCER, answer, run, settings
 
 NOTHING = 1e-9  # in the unit of a key: round-off of what is zero
 DIGITS = 6  # of a number in text (app/results/record_text.cpp)
-SECONDS_OF_A_PART = 25.0
+SECONDS_OF_A_PART = 8.0
 SEED = int(os.environ.get("SETTINGS_SEED", time.time_ns() % 100000))
 # What is run of a case, by the analyses that `check` names.
 AT_REST = {"--fidelity quasi-static": (), "run of a single bearing": (), "run of a bearing with scratches": ()}
