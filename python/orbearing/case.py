@@ -321,7 +321,9 @@ _NOTHING = "null"  # leaves a key out
 def _implausible(found) -> list[str]:
     """Of numbers that no real machine has: the first reason, and how many points have one."""
     points = found.get("points") if isinstance(found, dict) else None
-    reasons = [str(point["status"]) for point in points or () if isinstance(point, dict) and str(point.get("status", "")).startswith("implausible: ")]
+    if not isinstance(points, list):  # of a table: their number
+        return []
+    reasons = [str(point["status"]) for point in points if isinstance(point, dict) and str(point.get("status", "")).startswith("implausible: ")]
     return [f"{reasons[0]}; in {len(reasons)} of {len(points)} points. Numbers without a unit are in SI: 55 is 55 W"] if reasons else []
 
 
