@@ -235,12 +235,18 @@ class PageServer {
   std::vector<fs::path> serve() {
     bind();
     lives_of(settings_.opened);
-    std::thread listening([this] { server_.listen_after_bind(); });
+    std::atomic<bool> left = false;
+    std::thread listening([&] {
+      server_.listen_after_bind();
+      left = true;
+    });
     const std::string address = fmt::format("http://127.0.0.1:{}/", port_);
     settings_.started(address + "?token=" + token_, address + "?once=" + once_);
     while (!settings_.interrupted() && (!presence_.gone() || jobs_.running()))
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     ending_ = true;
+    // A server that does not listen yet would not notice that it is stopped.
+    while (!server_.is_running() && !left) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     server_.stop();
     listening.join();
     return jobs_.end();
