@@ -1,6 +1,7 @@
 // The page in node, without a browser: a document that keeps what the scripts put into it, and a server that answers from a fixture.
 //
 //     node page_dom.mjs < {"web", "schemas", "opened", "checks", "keys", "results", "steps"}     writes what each step "dump" saw
+import {webcrypto} from 'node:crypto';
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
 
@@ -214,6 +215,7 @@ Object.assign(globalThis, {
   ResizeObserver: class { observe() {} },
 });
 globalThis.window = globalThis;
+globalThis.crypto ??= webcrypto;  // no global before node 19
 Object.defineProperty(globalThis, 'navigator', {value: {sendBeacon: () => true, clipboard: {writeText: async (text) => kept.copied.push(text)}}});
 URL.createObjectURL = (blob) => {
   kept.downloads.push(blob);
