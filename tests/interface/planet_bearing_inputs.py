@@ -2,11 +2,9 @@
 """Ratings of another inside than the catalogue's, thin rims, sets that stand or idle, oils by two viscosities, assumptions with their effect, and inputs with defaults."""
 
 import json
-import pathlib
-import tempfile
 import unittest
 
-from program import CASES, REDUCER, answer, run, settings, warned
+from program import CASES, REDUCER, InFolder, answer, run, settings, warned
 
 WIND = """name: wind_two_rows
 source: own layout
@@ -77,26 +75,16 @@ def gearbox(gear, bearings, more_sets="", more_shafts=""):
     return "\n".join(lines) + "\n" + more_sets
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = pathlib.Path(place.name)
-
-    def file(self, text):
-        file = self.folder / "case.yaml"
-        file.write_text(text, encoding="utf-8")
-        return file
-
+class Case(InFolder):
     def point(self, text, *values):
-        return answer("run", self.file(text), *values)["points"][0]
+        return answer("run", self.case(text), *values)["points"][0]
 
     def row(self, file, path, *values):
         (row,) = [row for row in answer("check", file, *values)["derived"] if row["path"] == path]
         return row
 
     def refused(self, text, *values, command="check"):
-        result = run(command, self.file(text), *settings(values))
+        result = run(command, self.case(text), *settings(values))
         self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
         return result.stderr
 
@@ -119,7 +107,7 @@ class Rims(Case):
         for text, bore, module, teeth, thin, none in ((REDUCER_4, 72, 4, 33, False, False), (REDUCER_4.replace("NU 2207", "NU 2213").replace("60 mm", "64 mm"), 120, 4, 33, True, True),
                                                       (WIND, 420, 14, 36, True, False)):
             with self.subTest(text.splitlines()[0], bore=bore):
-                file = self.file(text)
+                file = self.case(text)
                 shift = self.row(file, "gearset.profile_shift.planet")["value"]
                 right = (module * (teeth + 2 * shift - 2.5) - bore) / 2 / module
                 self.assertAlmostEqual(self.row(file, "gearset.rim_over_module")["value"], right, delta=1e-6)
@@ -155,13 +143,13 @@ class Sets(Case):
 
     def test_ratios_of_an_automatic_gearbox(self):
         for gear, (_, ratio) in GEARS.items():
-            flow = answer("check", self.file(gearbox(gear, False)))["power_flow"]
+            flow = answer("check", self.case(gearbox(gear, False)))["power_flow"]
             (output,) = {row["speed_rpm"] for row in flow if row["shaft"] == "s1"}
             self.assertAlmostEqual(1000 / output / ratio, 1, delta=1e-4, msg=gear)
 
     def test_planet_speeds_of_sets_without_a_bearing(self):
         """Reverse: speeds of the planets against their carriers over the input, by Willis."""
-        found = {row["path"]: row["value"] for row in answer("check", self.file(gearbox("R", False)))["derived"]}
+        found = {row["path"]: row["value"] for row in answer("check", self.case(gearbox("R", False)))["derived"]}
         for name, right in (("p1", 0.0), ("p2", 2.0), ("p3", 5.9252), ("p4", 0.8317)):
             self.assertAlmostEqual(abs(found[f"sets.{name}.operation.planet_speed"]) / 1000, right, delta=2e-4, msg=name)
         # The carrier of p2 takes 1 + 96/48 times the torque of the sun; four planets at the centre distance carry it.
@@ -172,7 +160,7 @@ class Sets(Case):
         """p3 with an open ring between motor and load: the gear goes on as without it."""
         text = gearbox("1", False, "  p3: {gearset: {planets: 4, teeth: {sun: 69, planet: 21, ring: 111}, module: 1.1 mm, face_width: 25 mm}}\n", "  open: [p3.ring]")
         text = text.replace("motor, p4.sun", "motor, p4.sun, p3.sun").replace("load, p4.carrier", "load, p4.carrier, p3.carrier")
-        found = answer("check", self.file(text))
+        found = answer("check", self.case(text))
         self.assertEqual(found["idle_sets"], ["p3"])
         self.assertTrue(warned(found, "sets.p3: idle. It transmits no torque"))
         self.assertEqual({row["torque_N_m"] for row in found["power_flow"] if row["set"] == "p3"}, {0.0})
@@ -187,12 +175,12 @@ class Oils(Case):
     def test_two_viscosities(self):
         """ASTM D341 through 200 and 16 mm2/s at 40 and 100 degC; kappa by 45000 n^-0.83 d_m^-0.5 of ISO 281."""
         for temperature, speed, viscosity in ((50, 50, 112.9), (60, 200, 68.7), (65, 300, 54.9)):
-            found = answer("run", self.file(SPINDLE_ROLLERS), f"lubricant.temperature={temperature} degC", f"operation.shaft_speed={speed} rpm")
+            found = answer("run", self.case(SPINDLE_ROLLERS), f"lubricant.temperature={temperature} degC", f"operation.shaft_speed={speed} rpm")
             kappa = viscosity / (45000 * speed**-0.83 * 165**-0.5)
             self.assertAlmostEqual(found["kappa"] / kappa, 1, delta=1e-3, msg=temperature)
         resolved = self.folder / "results"
-        self.assertEqual(run("run", self.file(SPINDLE_ROLLERS), "-o", resolved, "--quiet").returncode, 0)
-        again, first = answer("run", resolved / "case.resolved.yaml"), answer("run", self.file(SPINDLE_ROLLERS))
+        self.assertEqual(run("run", self.case(SPINDLE_ROLLERS), "-o", resolved, "--quiet").returncode, 0)
+        again, first = answer("run", resolved / "case.resolved.yaml"), answer("run", self.case(SPINDLE_ROLLERS))
         self.assertAlmostEqual(again["kappa"] / first["kappa"], 1, delta=1e-5)
 
     def test_refusals_say_what_to_state(self):
@@ -207,12 +195,12 @@ class Oils(Case):
     def test_the_index_stands_for_the_viscosity_at_100(self):
         graded = SPINDLE_ROLLERS.replace("viscosity_40: 200 mm2/s, viscosity_100: 16 mm2/s", "grade: ISO VG 220")
         alike = SPINDLE_ROLLERS.replace("viscosity_40: 200 mm2/s, viscosity_100: 16 mm2/s", "viscosity_40: 220 mm2/s")
-        self.assertAlmostEqual(answer("run", self.file(alike))["kappa"] / answer("run", self.file(graded))["kappa"], 1, delta=1e-9)
+        self.assertAlmostEqual(answer("run", self.case(alike))["kappa"] / answer("run", self.case(graded))["kappa"], 1, delta=1e-9)
 
 
 class Assumptions(Case):
     def test_kind_of_lubrication_stands_with_its_effect(self):
-        file = self.file(PUMP)
+        file = self.case(PUMP)
         found = answer("run", file)
         effects = {one["key"]: one.get("effect", "") for one in found["assumptions"]}
         there = answer("run", file, "life.lubrication=oil-bath")
@@ -223,7 +211,7 @@ class Assumptions(Case):
         self.assertNotIn("effect", next(one for one in answer("run", file, "life.lubrication=oil-bath")["assumptions"] if one["key"] == "life.reliability"))
 
     def test_all_that_check_lists_and_moves_a_life_stands_in_a_run(self):
-        file = self.file(REDUCER_4 + "lubricant: {grade: ISO VG 220}\nlife: {cleanliness: -/17/14}\n")
+        file = self.case(REDUCER_4 + "lubricant: {grade: ISO VG 220}\nlife: {cleanliness: -/17/14}\n")
         effects = {one["key"] for one in answer("run", file)["assumptions"] if "effect" in one}
         base = self.point(file.read_text(encoding="utf-8"))
         lives = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
@@ -248,19 +236,19 @@ class Defaults(Case):
             "designation: NU 2207, per_planet: 2, clearance_class: CN, cage: {material: brass}",
             "type: cylindrical-roller, per_planet: 2, rollers: 14, roller_diameter: 11 mm, roller_length: 15 mm, pitch_diameter: 53.5 mm, radial_clearance: 40 um, bore: 35 mm, "
             "outside_diameter: 72 mm, width: 23 mm, cage: {material: brass}")
-        assumed = {row["path"] for row in answer("check", self.file(text))["inputs"] if row["standing"] == "assumed"}
+        assumed = {row["path"] for row in answer("check", self.case(text))["inputs"] if row["standing"] == "assumed"}
         self.assertLessEqual({"gearset.profile_shift.sun", "gearset.profile_shift.ring", "bearing.cage.inner_diameter", "bearing.cage.outer_diameter", "bearing.cage.width"}, assumed)
         self.assertEqual(self.point(text)["status"], "ok")
 
     def test_modes_take_neither_power_nor_speed(self):
-        alone, driven = answer("modes", self.file(GEARS_ALONE)), answer("modes", self.file(GEARS_ALONE + "input: {member: sun, power: 10 kW, speed: 1000 rpm}\n"))
+        alone, driven = answer("modes", self.case(GEARS_ALONE)), answer("modes", self.case(GEARS_ALONE + "input: {member: sun, power: 10 kW, speed: 1000 rpm}\n"))
         self.assertEqual([mode["frequency_Hz"] for mode in alone["modes"]], [mode["frequency_Hz"] for mode in driven["modes"]])
         self.assertFalse(any("shape_quarter" in mode for mode in alone["modes"]))
         self.assertIn("input.power: missing", self.refused(GEARS_ALONE, command="mesh"))
 
     def test_diameters_of_gears(self):
         """The printed pair 12/60, 30 degrees: reference, base and pitch diameters of the handbook."""
-        file = self.file(HELICAL)
+        file = self.case(HELICAL)
         first, second = answer("mesh", file)["gears"]
         for gear, reference, base, pitch in ((first, 41.569, 38.322, 41.667), (second, 207.846, 191.611, 208.333)):
             for key, right in (("reference_mm", reference), ("base_mm", base), ("pitch_mm", pitch)):
@@ -295,7 +283,7 @@ class Defaults(Case):
     def test_seats_by_the_commonest_classes(self):
         """Interference of normal bearings on j5 and in J6, J7 as catalogues print it; M6 above 250 to 315 mm has ES -9."""
         for pin, planet, inner, outer in (("j5", "J7", (-5, 18), (-31, 12)), ("j6", "J6", (-5, 23), (-26, 6))):
-            rows = {row["path"]: row["value"] for row in answer("check", self.file(REDUCER_4), f"bearing.fit.pin_class={pin}", f"bearing.fit.planet_class={planet}")["derived"]}
+            rows = {row["path"]: row["value"] for row in answer("check", self.case(REDUCER_4), f"bearing.fit.pin_class={pin}", f"bearing.fit.planet_class={planet}")["derived"]}
             for seat, right in (("inner", inner), ("outer", outer)):
                 for end, value in zip(("least", "most"), right, strict=True):
                     self.assertAlmostEqual(rows[f"bearing.fit.{seat}_interference.{end}"], value, delta=1e-6, msg=(pin, planet, seat, end))

@@ -9,7 +9,9 @@ import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+import unittest
 
 # Whoever started the tests may ignore Ctrl-C, as a shell does for work in the background: programs that a test starts do not.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
@@ -40,6 +42,20 @@ def package():
 def run(*arguments):
     command = [os.environ["ORBEARING"], *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+class InFolder(unittest.TestCase):
+    """Tests that write cases into a folder of their own."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+
+    def case(self, text):
+        file = self.folder / "case.yaml"
+        file.write_text(text, encoding="utf-8")
+        return file
 
 
 def within(main, *arguments):

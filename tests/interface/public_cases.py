@@ -71,11 +71,9 @@ examination, and the first tries of new users are held by these tests (paths fro
 
 import json
 import math
-import pathlib
-import tempfile
 import unittest
 
-from program import CASES, REDUCER, WIND, answer, package, run, settings, warned
+from program import CASES, REDUCER, WIND, InFolder, answer, package, run, settings, warned
 
 orbearing = package()
 
@@ -187,17 +185,7 @@ bearing: {balls: 14, ball_diameter: 8.73 mm, pitch_diameter: 65 mm, inner_oscula
 """
 
 
-class PublicCases(unittest.TestCase):
-    def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = pathlib.Path(place.name)
-
-    def case(self, text):
-        file = self.folder / "case.yaml"
-        file.write_text(text, encoding="utf-8")
-        return file
-
+class PublicCases(InFolder):
     def near(self, value, right, tolerance):
         self.assertLessEqual(abs(value / right - 1.0), tolerance, (value, right))
 

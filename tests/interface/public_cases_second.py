@@ -5,11 +5,9 @@ The table of all cases and their tests is in public_cases.py.
 """
 
 import math
-import pathlib
-import tempfile
 import unittest
 
-from program import answer, run, settings, warned
+from program import InFolder, answer, run, settings, warned
 
 # Teeth of sun, planet and ring and the module [mm] of four sets of an automatic gearbox, and its gears: shafts, and the printed ratio.
 SETS = {"p1": (48, 24, 96, 1.3), "p2": (48, 24, 96, 1.3), "p3": (69, 21, 111, 1.1), "p4": (23, 31, 85, 1.5)}
@@ -143,17 +141,7 @@ operation: {shaft_speed: 50 rpm}
 """
 
 
-class Cases(unittest.TestCase):
-    def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = pathlib.Path(place.name)
-
-    def case(self, text):
-        file = self.folder / "case.yaml"
-        file.write_text(text, encoding="utf-8")
-        return file
-
+class Cases(InFolder):
     def near(self, value, right, tolerance, what=""):
         self.assertLessEqual(abs(value / right - 1.0), tolerance, (what, value, right))
 
