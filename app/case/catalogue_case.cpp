@@ -469,36 +469,21 @@ namespace {
 // Types of which no catalogue holds a line, by their basic numbers as ISO and DIN 623 write them.
 struct OtherType {
   std::size_t digits;
-  std::string_view letters, begin;  // letters "*": any but those of cylindrical bearings, NU, NJ, NUP and N
-  const char *words, *type;         // of planet bearings; null: not computed
+  std::string_view letters;                // "*": any but those of cylindrical bearings, NU, NJ, NUP and N
+  std::array<std::string_view, 4> begins;  // of the digits; they may repeat, and an empty one is in all
+  const char *words, *type;                // of planet bearings; null: not computed
 };
 
-constexpr std::array<OtherType, 24> kOtherTypes{{
-    {5, "*", "30", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "31", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "32", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "33", "a tapered roller bearing", "tapered-roller"},
-    {5, "", "292", "a spherical roller thrust bearing", nullptr},
-    {5, "", "293", "a spherical roller thrust bearing", nullptr},
-    {5, "", "294", "a spherical roller thrust bearing", nullptr},
-    {5, "*", "21", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "22", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "23", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "24", "a spherical roller bearing", "spherical-roller"},
-    {5, "", "51", "a thrust ball bearing", nullptr},
-    {5, "", "52", "a thrust ball bearing", nullptr},
-    {5, "", "53", "a thrust ball bearing", nullptr},
-    {5, "", "54", "a thrust ball bearing", nullptr},
-    {5, "", "81", "a cylindrical roller thrust bearing", nullptr},
-    {5, "", "89", "a cylindrical roller thrust bearing", nullptr},
-    {4, "", "12", "a self-aligning ball bearing", nullptr},
-    {4, "", "13", "a self-aligning ball bearing", nullptr},
-    {4, "", "22", "a self-aligning ball bearing", nullptr},
-    {4, "", "23", "a self-aligning ball bearing", nullptr},
-    {4, "", "3", "a double-row angular contact ball bearing", nullptr},
-    {3, "QJ", "", "a four-point contact ball bearing", nullptr},
-    {4, "C", "", "a toroidal roller bearing", nullptr},
-}};
+constexpr std::array kOtherTypes{
+    OtherType{5, "*", {"30", "31", "32", "33"}, "a tapered roller bearing", "tapered-roller"},
+    OtherType{5, "", {"292", "293", "294", "294"}, "a spherical roller thrust bearing", nullptr},
+    OtherType{5, "*", {"21", "22", "23", "24"}, "a spherical roller bearing", "spherical-roller"},
+    OtherType{5, "", {"51", "52", "53", "54"}, "a thrust ball bearing", nullptr},
+    OtherType{5, "", {"81", "81", "89", "89"}, "a cylindrical roller thrust bearing", nullptr},
+    OtherType{4, "", {"12", "13", "22", "23"}, "a self-aligning ball bearing", nullptr},
+    OtherType{4, "", {"3", "3", "3", "3"}, "a double-row angular contact ball bearing", nullptr},
+    OtherType{3, "QJ", {}, "a four-point contact ball bearing", nullptr},
+    OtherType{4, "C", {}, "a toroidal roller bearing", nullptr}};
 
 // Null for types with lines, and for names that are none of these.
 const OtherType* other_type(std::string_view name) {
@@ -511,7 +496,9 @@ const OtherType* other_type(std::string_view name) {
   while (!letters.empty() && letters.back() == ' ') letters.remove_suffix(1);
   const auto found = std::ranges::find_if(kOtherTypes, [&](const OtherType& one) {
     const bool fits = one.letters == "*" ? !name.starts_with('N') : one.letters == letters;
-    return fits && one.digits == digits.size() && digits.starts_with(one.begin);
+    return fits && one.digits == digits.size() &&
+           std::ranges::any_of(one.begins,
+                               [&](std::string_view number) { return digits.starts_with(number); });
   });
   return found == kOtherTypes.end() ? nullptr : found;
 }

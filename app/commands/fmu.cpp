@@ -82,7 +82,7 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
 std::vector<std::string> life_warnings(const ResolvedCase& resolved) try {
   namespace rating = bearing::rating;
   const study::PointResult point = study::evaluate(bearing_sets(resolved));
-  const rating::Life life = rating::governing_life(point.life_method, point.rating.lives.oil.has_value());
+  const rating::Life life = study::governing_life(point);
   const double governing = study::governing_hours(point);
   if (life == rating::Life::lundberg_palmgren || !(governing > 0.0)) return {};
   return {fmt::format(

@@ -531,10 +531,12 @@ bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double drag_ove
   return moving && (!drivetrain.bearing.has_cage() || drag_over_traction > kLightLoad);
 }
 
+bearing::rating::Life governing_life(const PointResult& result) {
+  return bearing::rating::governing_life(result.life_method, result.rating.lives.oil.has_value());
+}
+
 double governing_hours(const PointResult& result) {
-  return bearing::rating::hours_of(
-      bearing::rating::governing_life(result.life_method, result.rating.lives.oil.has_value()),
-      result.life_hours, result.rating.hours);
+  return bearing::rating::hours_of(governing_life(result), result.life_hours, result.rating.hours);
 }
 
 bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,

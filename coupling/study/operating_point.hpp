@@ -182,6 +182,8 @@ void describe(described::Record& record, const SetResult& set);
 /// One planet of a point, as rows of results list planets that carry unlike loads.
 void describe_planet(described::Record& record, const PlanetResult& planet);
 
+/// The life that a point goes by.
+bearing::rating::Life governing_life(const PointResult& result);
 /// Governing life of one bearing, by the drivetrain's method [h]; not a number where the standards give none.
 double governing_hours(const PointResult& result);
 

@@ -35,8 +35,7 @@ UnlikeBearings unlike_bearings(const PointResult& point) {
 }
 
 double worst_governing_hours(const PointResult& point) {
-  const bearing::rating::Life life =
-      bearing::rating::governing_life(point.life_method, point.rating.lives.oil.has_value());
+  const bearing::rating::Life life = governing_life(point);
   double worst = UnlikeBearings::kAlike;
   if (point.carrier)
     for (const BearingOverRevolution& one : point.carrier->bearings)
