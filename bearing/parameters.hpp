@@ -24,21 +24,23 @@ struct Lubricant {
   double pressure_viscosity = 0.0;  // [1/Pa]  Barus coefficient
 };
 
-/// Defaults are those of DynamicsParameters.
+/// The default of cases.
+inline constexpr Lubricant warm_gear_oil{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
+
 template <class Visitor>
 void describe(Visitor& visit, Lubricant& m) {
   using namespace described;
   members(visit, m,
           field(m.viscosity, "lubricant.viscosity", Physics::carrier,
                 "dynamic viscosity at the inlet, at running temperature",
-                {.models = with_rollers | balls_in_time | ball_bearing | spin_film,
+                {.models = with_rollers | balls_in_time | ball_bearing,
                  .dimension = dimension::viscosity,
                  .range = {1e-5, 100.0},
                  .reason = "a gear oil when warm",
                  .fmu = InFmu::parameter}),
           field(m.pressure_viscosity, "lubricant.pressure_viscosity", Physics::carrier,
                 "pressure-viscosity coefficient at running temperature",
-                {.models = with_rollers | balls_in_time | ball_bearing | spin_film,
+                {.models = with_rollers | balls_in_time | ball_bearing,
                  .dimension = dimension::pressure_viscosity,
                  .range = {0.1, 100.0},
                  .reason = "a mineral oil when warm",

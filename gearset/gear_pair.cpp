@@ -95,7 +95,7 @@ InternalMesh internal_mesh(const GearPair& pair) {
 }
 
 std::string bore_key(const GearPair& pair, std::size_t gear) {
-  return gear == 1 && !pair.is_internal() && pair.driven_bore ? "pair.driven_bore" : "pair.bore";
+  return gear == 1 && pair.driven_bore() ? "pair.driven_bore" : "pair.bore";
 }
 
 Warnings pair_problems(const GearPair& pair) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "gearset/contact_path.hpp"
 #include "gearset/parameters.hpp"
@@ -14,11 +16,34 @@
 
 namespace orbearing::gearset {
 
-/// Which gears a pair has.
-enum class PairKind { external, internal };
+/// Two gears with their teeth outside.
+struct ExternalPair {
+  static constexpr std::string_view name = "external";
+  std::optional<double> driven_bore{};  // [m]  diameter, of the second gear; none: as the first
+};
 
-constexpr described::Names<PairKind, 2> names_of(PairKind) {
-  return {{{PairKind::external, "external"}, {PairKind::internal, "internal"}}};
+template <class Visitor>
+void describe(Visitor& visit, ExternalPair& m) {
+  using namespace described;
+  members(visit, m,
+          input(m.driven_bore, "driven_bore",
+                "bore of the second gear, which is driven; pair.bore if absent",
+                {.dimension = dimension::length, .range = positive(1e5)}));
+}
+
+/// A ring around the other gear.
+struct InternalPair {
+  static constexpr std::string_view name = "internal";
+  double ring_outside = 1.15;  // [-]  outside diameter / root diameter of the ring
+};
+
+template <class Visitor>
+void describe(Visitor& visit, InternalPair& m) {
+  using namespace described;
+  members(visit, m,
+          input(m.ring_outside, "ring_outside_ratio",
+                "outside diameter of the ring, where it is held, as a multiple of its root diameter",
+                {.range = {1.005, 20.0}, .reason = "a rim of some five modules"}));
 }
 
 /// What the user states about a pair; the first gear drives. Of an internal pair the gear with more teeth is
@@ -32,59 +57,45 @@ struct GearPair {
   BasicRack rack;
   double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the first gear is right-handed
   Web web;                   // of the softer gear
-  PairKind kind = PairKind::external;
-  double ring_outside = 1.15;  // [-]  of an internal pair: outside diameter / root diameter of the ring
-  std::optional<double> driven_bore{};  // [m]  diameter, of the second of two external gears; none: `bore`
+  std::variant<ExternalPair, InternalPair> kind{};
 
-  bool is_internal() const { return kind == PairKind::internal; }
+  bool is_internal() const { return std::holds_alternative<InternalPair>(kind); }
+  /// [m]  of two external gears, where it has a bore of its own
+  std::optional<double> driven_bore() const {
+    return is_internal() ? std::nullopt : std::get<ExternalPair>(kind).driven_bore;
+  }
   /// Of an internal pair.
   std::size_t ring() const { return teeth[0] > teeth[1] ? 0 : 1; }
   std::size_t inside() const { return 1 - ring(); }
   /// [m]  diameter of a gear that is no ring
   double bore_of(std::size_t gear) const {
-    return gear == 1 && !is_internal() ? driven_bore.value_or(bore) : bore;
+    return gear == 1 ? driven_bore().value_or(bore) : bore;
   }
 };
 
 template <class Visitor>
 void describe(Visitor& visit, GearPair& m) {
   using namespace described;
-  const auto length = [](double& member, std::string path, std::string meaning, double most) {
-    return field(member, std::move(path), Physics::pair, std::move(meaning),
-                 {.models = gear_pair,
-                  .required_by = gear_pair,
-                  .dimension = dimension::length,
-                  .range = positive(most)});
+  const auto length = [](double& member, std::string key, std::string meaning, double most) {
+    return input(member, std::move(key), std::move(meaning),
+                 {.dimension = dimension::length, .range = positive(most)});
   };
   members(visit, m,
-          field(m.teeth, "pair.teeth", Physics::pair, "teeth of both gears, the driving one first",
-                {.models = gear_pair, .required_by = gear_pair, .range = {5, 2000}}),
-          length(m.module, "pair.module", "normal module", 100.0),
-          length(m.face_width, "pair.face_width", "width of the teeth", 1e4),
-          length(m.bore, "pair.bore",
-                 "bore of both gears, or of the one inside a ring, held by a rigid shaft", 1e5),
-          field(m.driven_bore, "pair.driven_bore", Physics::pair,
-                "bore of the second gear, which is driven; pair.bore if absent",
-                {.models = gear_pair,
-                 .dimension = dimension::length,
-                 .range = positive(1e5),
-                 .where = {"pair.kind", "external"}}),
-          part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Physics::pair, gear_pair); }),
-          field(m.shift, "pair.profile_shift", Physics::pair,
+          input(m.teeth, "teeth", "teeth of both gears, the driving one first", {.range = {5, 2000}}),
+          length(m.module, "module", "normal module", 100.0),
+          length(m.face_width, "face_width", "width of the teeth", 1e4),
+          length(m.bore, "bore", "bore of both gears, or of the one inside a ring, held by a rigid shaft",
+                 1e5),
+          part(m.rack, [&] { describe_rack(visit, m.rack, "", Physics::everywhere, no_model); }),
+          input(m.shift, "profile_shift",
                 "profile shifts of both gears, in modules; that of a ring positive outward",
-                {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}),
-          helix_row(m.helix_angle, "pair.", Physics::pair, gear_pair, "first gear"),
-          part(m.web, [&] { describe_web(visit, m.web, "pair.", Physics::pair, gear_pair); }),
-          field(m.kind, "pair.kind", Physics::pair,
-                "external: both gears have their teeth outside; internal: the one with more teeth is a ring "
-                "around the other",
-                {.models = gear_pair, .reason = "two external gears"}),
-          field(m.ring_outside, "pair.ring_outside_ratio", Physics::pair,
-                "outside diameter of the ring, where it is held, as a multiple of its root diameter",
-                {.models = gear_pair,
-                 .range = {1.005, 20.0},
-                 .reason = "a rim of some five modules",
-                 .where = {"pair.kind", "internal"}}));
+                {.range = {-2.0, 2.0}, .reason = "standard gears"}),
+          helix_row(m.helix_angle, "", Physics::everywhere, no_model, "first gear"),
+          part(m.web, [&] { describe_web(visit, m.web, "", Physics::everywhere, no_model); }),
+          choice(m.kind, "kind",
+                 "external: both gears have their teeth outside; internal: the one with more teeth is a "
+                 "ring around the other",
+                 {.reason = "two external gears"}));
 }
 
 /// A pair of external gears as assembled without backlash.

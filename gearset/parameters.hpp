@@ -96,7 +96,7 @@ void describe_web(Visitor& visit, Web& m, const std::string& block, described::P
              .range = {1.0, 50.0},
              .reason = "corresponds to the web factor of 0.862 that [Reboucas2021] has for discs of a "
                        "quarter of the face",
-             .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
+             .where = {block.empty() ? "pair.web.thickness" : "gearset.web.thickness"}}));
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.

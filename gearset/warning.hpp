@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/problem.hpp"
+
 namespace orbearing::gearset {
 
 // Numbers in messages to the user.
@@ -23,12 +25,7 @@ inline std::string millimetres(double length) {
   return decimal(1e3 * length, 3) + " mm";
 }
 
-/// What was found and what it means or asks for; `key` is that of the case file, such as "gearset.teeth".
-struct Warning {
-  std::string key;
-  std::string text;
-};
-
-using Warnings = std::vector<Warning>;
+using Warning = mechanics::Problem;
+using Warnings = mechanics::Problems;
 
 }  // namespace orbearing::gearset

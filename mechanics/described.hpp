@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 namespace orbearing::described {
 
@@ -98,7 +99,7 @@ inline constexpr unsigned single_scratched = raceway_defect | roller_defect;
 inline constexpr unsigned scratched_bearings = single_scratched | planetary_drivetrain;
 inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | roller_defect | spin_film;
 /// Those whose results the material decides: rollers on a ring that vibrates have contact laws of steel.
-inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect};
+inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect | gear_pair | spin_film};
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -108,7 +109,6 @@ inline constexpr unsigned toothless_set = 1u << 16;
 enum class Physics {
   everywhere,     // gears and bearings alike
   planet,         // teeth and all that a planet is made of
-  pair,           // a pair of gears
   gear_bodies,    // masses and springs of the gears
   thrust,         // axial forces of helical gears
   central_teeth,  // teeth and bodies of sun and ring, without effect on planets at rest
@@ -130,7 +130,6 @@ enum class Physics {
   rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in balance
   single_bearing_run,  // a ball bearing by itself in time
   defect,              // a bearing with scratches in motion
-  one_contact,         // the film of a contact by itself
   exchange,            // windows of a co-simulation
   carrier_body         // the carrier in three dimensions, held by its own bearings
 };
@@ -200,6 +199,20 @@ template <class Part>
 struct PartRow {
   Part& part;
 };
+template <class Part>
+struct BlockRow {
+  Part& part;
+  std::string key;
+};
+template <class Variant>
+struct ChoiceRow {
+  Variant& member;
+  Facts facts;
+};
+template <class Variant>
+struct EitherRow {
+  Variant& member;
+};
 template <class Call>
 struct CallRow {
   Call describe;
@@ -222,9 +235,32 @@ Row<Member> internal(Member& member, std::string path, std::string meaning = {},
                      const Details& details = {}) {
   return {member, {std::move(path), Physics::everywhere, std::move(meaning), details}};
 }
+/// An input of a machine, by its key in the block of the structure. Without a reason for its default it is
+/// required, unless the member may be absent.
+template <class Member>
+Row<Member> input(Member& member, std::string key, std::string meaning, const Details& details = {}) {
+  return {member, {std::move(key), Physics::everywhere, std::move(meaning), details}};
+}
 /// A structure with rows of its own.
 template <class Part>
 PartRow<Part> part(Part& member) {
+  return {member};
+}
+/// The same, whose rows stand in a block of the case.
+template <class Part>
+BlockRow<Part> block(Part& member, std::string key) {
+  return {member, std::move(key)};
+}
+/// One of several structures, each with a `name` by which the input `key` chooses it. The inputs of the
+/// others cannot be stated. The alternative that the member holds is the default, for `details.reason`.
+template <class... Choices>
+ChoiceRow<std::variant<Choices...>> choice(std::variant<Choices...>& member, std::string key,
+                                           std::string meaning, const Details& details = {}) {
+  return {member, {std::move(key), Physics::everywhere, std::move(meaning), details}};
+}
+/// One of several structures: the one whose inputs the case states.
+template <class... Choices>
+EitherRow<std::variant<Choices...>> either(std::variant<Choices...>& member) {
   return {member};
 }
 /// A structure whose rows `describe()` gives, since they depend on where it is.
@@ -270,6 +306,45 @@ void visit_row(Visitor& visit, const Row<Member>& row) {
 template <class Visitor, class Part>
 void visit_row(Visitor& visit, const PartRow<Part>& row) {
   describe(visit, row.part);
+}
+/// A visitor of the rows of a block, whose paths begin with its key.
+template <class Visitor>
+class Within {
+ public:
+  Within(Visitor& visit, std::string key) : visit_(visit), key_(std::move(key)) {}
+
+  template <class Member>
+  void operator()(Member& member, Facts facts) {
+    facts.path = key_ + "." + facts.path;
+    visit_(member, facts);
+  }
+  template <class Self, class Variant>
+  void choose(Self& self, Variant& member, Facts facts) {
+    facts.path = key_ + "." + facts.path;
+    visit_.choose(self, member, facts);
+  }
+  template <class Self, class Variant>
+  void choose_by_inputs(Self& self, Variant& member) {
+    visit_.choose_by_inputs(self, member);
+  }
+
+ private:
+  Visitor& visit_;
+  std::string key_;
+};
+template <class Visitor, class Part>
+void visit_row(Visitor& visit, const BlockRow<Part>& row) {
+  Within<Visitor> inside(visit, row.key);
+  describe(inside, row.part);
+}
+// How alternatives are told apart is the visitor's: `self` is the one that describes them.
+template <class Visitor, class Variant>
+void visit_row(Visitor& visit, const ChoiceRow<Variant>& row) {
+  visit.choose(visit, row.member, row.facts);
+}
+template <class Visitor, class Variant>
+void visit_row(Visitor& visit, const EitherRow<Variant>& row) {
+  visit.choose_by_inputs(visit, row.member);
 }
 template <class Visitor, class Call>
 void visit_row(Visitor&, const CallRow<Call>& row) {

@@ -16,24 +16,45 @@ struct Material {
   double plane_strain_modulus() const { return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio); }
 };
 
+/// Of what has no mass.
+struct Elasticity {
+  double youngs_modulus = Material{}.youngs_modulus;  // [Pa]
+  double poisson_ratio = Material{}.poisson_ratio;    // [-]
+
+  Material material() const { return {.youngs_modulus = youngs_modulus, .poisson_ratio = poisson_ratio}; }
+};
+
+inline constexpr std::string_view steel = "rolling bearing steel";
+
+inline auto youngs_modulus_row(double& member) {
+  using namespace described;
+  return field(member, "material.youngs_modulus", Physics::everywhere,
+               "Young's modulus of gears, rings and rollers",
+               {.models = of_material,
+                .dimension = dimension::stress,
+                .range = {1.0, 1000.0},
+                .reason = steel,
+                .fmu = InFmu::parameter});
+}
+inline auto poisson_ratio_row(double& member) {
+  using namespace described;
+  return field(member, "material.poisson_ratio", Physics::everywhere,
+               "Poisson's ratio of gears, rings and rollers",
+               {.models = of_material,
+                .range = {.least = 0.0, .most = 0.5, .most_allowed = false},
+                .reason = steel,
+                .fmu = InFmu::parameter});
+}
+
+template <class Visitor>
+void describe(Visitor& visit, Elasticity& m) {
+  described::members(visit, m, youngs_modulus_row(m.youngs_modulus), poisson_ratio_row(m.poisson_ratio));
+}
+
 template <class Visitor>
 void describe(Visitor& visit, Material& m) {
   using namespace described;
-  const std::string_view steel = "rolling bearing steel";
-  members(visit, m,
-          field(m.youngs_modulus, "material.youngs_modulus", Physics::everywhere,
-                "Young's modulus of gears, rings and rollers",
-                {.models = of_material,
-                 .dimension = dimension::stress,
-                 .range = {1.0, 1000.0},
-                 .reason = steel,
-                 .fmu = InFmu::parameter}),
-          field(m.poisson_ratio, "material.poisson_ratio", Physics::everywhere,
-                "Poisson's ratio of gears, rings and rollers",
-                {.models = of_material,
-                 .range = {.least = 0.0, .most = 0.5, .most_allowed = false},
-                 .reason = steel,
-                 .fmu = InFmu::parameter}),
+  members(visit, m, youngs_modulus_row(m.youngs_modulus), poisson_ratio_row(m.poisson_ratio),
           field(m.density, "material.density", Physics::carrier, "density of gears, rings and rollers",
                 {.models = of_material,
                  .dimension = dimension::density,

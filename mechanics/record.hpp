@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -93,6 +94,27 @@ struct Entry {
   bool detail = false;                    // what text leaves out
   std::string file{};                     // of a table in a folder of results; none: none
 };
+
+// "N.m/rad" at the end of a key: "_N_m_per_rad", or "_N_m_rad".
+inline std::string at_end_of_key(std::string_view unit, std::string_view over) {
+  std::string end = "_";
+  for (const char c : unit)
+    if (c == '/')
+      end += over;
+    else
+      end += c == '.' ? '_' : c;
+  return end;
+}
+
+// The entry's own, or its key less the unit at its end.
+inline std::string name_without_unit(const Entry& entry) {
+  if (entry.variable) return *entry.variable;
+  for (const std::string_view over : {"_per_", "_"})
+    if (const std::string end = at_end_of_key(entry.dimension.customary, over);
+        end.size() > 1 && entry.name.size() > end.size() && entry.name.ends_with(end))
+      return entry.name.substr(0, entry.name.size() - end.size());
+  return entry.name;
+}
 
 class Record {
  public:

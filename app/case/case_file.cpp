@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "app/case/alternatives.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
@@ -113,6 +114,7 @@ class Resolver {
     }
     report_missing();
     fill_defaults();
+    settle_alternatives(data_, model_, mistakes_);
     fill_derived_defaults(data_);
     read_assumed();
     read_sweep();
@@ -453,7 +455,8 @@ class Resolver {
   void fill_defaults() {
     fill_source();
     for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
-      if (field->default_text.empty() || data_.values.contains(path) || is_faulty(path) ||
+      if (field->default_text.empty() || !field->alternatives.empty() || data_.values.contains(path) ||
+          is_faulty(path) ||
           is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
         continue;
       data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};

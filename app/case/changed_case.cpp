@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "app/case/alternatives.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_file.hpp"
 #include "app/case/consistency.hpp"
@@ -105,6 +106,7 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vecto
   CaseData data = *data_;
   int number = 0;
   for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
+  settle_alternatives(data, model(), mistakes);
   fill_derived_defaults(data);
   ResolvedCase result(std::move(data));
   check_consistency(result, mistakes);

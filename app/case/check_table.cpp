@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/case/analysis_names.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"

@@ -12,6 +12,7 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -96,14 +97,6 @@ void check_gears(CheckedCase& in) {
   if (problems.empty() && !pairs) check_stated_geometry(in);
 }
 
-bool two_values(CheckedCase& in, const char* path) {
-  const std::size_t count = in.list(path).size();
-  if (count == 2) return true;
-  in.add_error_at(path, fmt::format("a list of {}", count),
-                  "two values, of the driving and the driven gear, are required");
-  return false;
-}
-
 void check_stage_teeth(CheckedCase& in, const char* path, const std::vector<double>& teeth) {
   constexpr double least = 5.0;  // as of a sun
   for (std::size_t i = 0; i + 1 < teeth.size(); i += 2)
@@ -132,16 +125,6 @@ void check_parallel_stages(CheckedCase& in) {
                       "most 1e6, are required",
                       kMostStages));
   }
-}
-
-void check_pair(CheckedCase& in) {
-  if (!has_all(in, {"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
-                    "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius",
-                    "pair.helix_angle", "pair.web.rim", "pair.kind", "pair.ring_outside_ratio"}))
-    return;
-  const bool teeth = two_values(in, "pair.teeth");
-  const bool shifts = two_values(in, "pair.profile_shift");
-  if (teeth && shifts) add_errors(in, gearset::pair_problems(pair_of(in)));
 }
 
 // Errors are listed pin by pin, and over a mesh period at more than one place.
@@ -260,35 +243,11 @@ void check_whole_cage(CheckedCase& in) {
                     "diameters, width and density, or no cage, are required");
 }
 
-// A contact is an ellipse or a line; a line is solved and does not spin.
-void check_contact(CheckedCase& in) {
-  if (in.model() != spin_film || !in.has("film.solver")) return;
-  if (!in.has("contact.length")) {
-    const bool reported =
-        std::ranges::find(in.mistakes, "contact.ellipticity", &Mistake::path) != in.mistakes.end();
-    if (!in.has("contact.ellipticity") && !reported)
-      in.mistakes.push_back({in.location("model"),
-                             "contact.ellipticity",
-                             {"neither an ellipse nor a line",
-                              "contact.ellipticity, or contact.length of a line contact, is required"}});
-    return;
-  }
-  if (in.choice("film.solver") != "reynolds")
-    in.add_error_at("contact.length", "a line contact together with film.solver: " + in.choice("film.solver"),
-                    "film.solver: reynolds is required: the regressions are for ellipses only");
-  if (!in.has("points")) return;
-  const std::vector<double>& rows = in.list("points");
-  for (std::size_t i = 2; i < rows.size(); i += 3)
-    if (rows[i] != 0.0)
-      return in.add_error_at("points", "a line contact that spins",
-                             "no spin is required together with contact.length");
-}
-
 void check_one_set(CheckedCase& in) {
   check_traction(in);
   check_members(in);
   check_gears(in);
-  check_pair(in);
+  check_machine(in);
   check_error_lists(in);
   check_roller_circle(in);
   const std::optional<Races> races = races_of(in);
@@ -304,7 +263,6 @@ void check_one_set(CheckedCase& in) {
   check_static_bearing(in);
   check_defect(in);
   check_duplex(in);
-  check_contact(in);
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
 

@@ -31,6 +31,12 @@ class DescribedCase {
       read(member, facts);
   }
 
+  /// The value at a path that has one.
+  template <class Member>
+  void read_value(Member& member, const described::Facts& facts) {
+    read(member, facts);
+  }
+
  private:
   using Facts = described::Facts;
 

@@ -9,12 +9,6 @@ namespace orbearing::app {
 
 namespace {
 
-// A contact by itself states the modulus of both bodies as one.
-unsigned models_of(const described::Facts& facts) {
-  const unsigned models = facts.details.models;
-  return facts.path.starts_with("material.") ? models & ~unsigned{spin_film} : models;
-}
-
 }  // namespace
 
 Field field_of(const described::Facts& facts) {
@@ -22,7 +16,7 @@ Field field_of(const described::Facts& facts) {
   return {.path = facts.path,
           .meaning = facts.meaning,
           .use = use_of(facts),
-          .models = models_of(facts),
+          .models = facts.details.models,
           .required_by = details.required_by,
           .dimension = details.dimension,
           .range = details.range,

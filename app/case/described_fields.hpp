@@ -38,10 +38,7 @@ class DescribedFields {
     add(std::move(field));
   }
 
- private:
-  // Throws std::logic_error where the table has the path with another default.
-  void add(Field field);
-
+  /// Kind, choices and default of the field of a member.
   static void set_kind(Field& field, bool value, const described::Details&) {
     field.kind = Kind::flag;
     field.default_text = value ? "true" : "false";
@@ -89,6 +86,10 @@ class DescribedFields {
            !std::is_enum_v<Other>) static void set_kind(Field&, const Other&, const described::Details&) {
     assert(false);
   }
+
+ private:
+  // Throws std::logic_error where the table has the path with another default.
+  void add(Field field);
 
   std::vector<Field>& fields_;
 };

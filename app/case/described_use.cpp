@@ -18,7 +18,6 @@ unsigned holding(described::Physics physics) {
   static constexpr std::pair<described::Physics, unsigned> holders[] = {
       {everywhere, use::all},
       {planet, use::of_a_drivetrain},
-      {pair, use::mesh},
       {thrust, use::mesh},
       {gear_bodies, use::gears_in_motion | use::natural},
       {central_teeth, use::gears_in_motion | use::natural | use::mesh},
@@ -43,8 +42,7 @@ unsigned holding(described::Physics physics) {
       {rotating_balls, use::single_bearing_equilibrium | use::duplex},
       {single_bearing_run, use::ball_run},
       {defect, use::defect | use::moving_defect | use::planet_defect},
-      {exchange, use::co_simulated},
-      {one_contact, use::spin_film}};
+      {exchange, use::co_simulated}};
   return std::ranges::find(holders, physics, &std::pair<described::Physics, unsigned>::first)->second;
 }
 
@@ -223,8 +221,7 @@ Use with_oil(const Use& use, std::string_view path) {
   if (path == "lubricant.share")
     return use.when(where_true(share_is_stated, "where lubricant.fill is stated"));
   if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
-  Use oil = also_used(use, use::spin_film)
-                .used_only(with_film_alone, {where_filmed()})
+  Use oil = use.used_only(with_film_alone, {where_filmed()})
                 .used_too(use::single_bearing_equilibrium, where_filmed());
   if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, viscosity_makes_kappa);
   return oil.when(no_grade);
@@ -312,8 +309,7 @@ Use with_own_condition(const Use& use, const described::Facts& facts) {
   described::Where only = facts.details.where;
   if (facts.physics == described::Physics::load_sharing) only = {.path = "input.power"};
   if (only.path.empty()) return use;
-  return use.when({.paths = parts_of(only.path, '|'),
-                   .values = only.value.empty() ? std::vector<std::string>{} : parts_of(only.value, '|')});
+  return use.when(condition_of(only));
 }
 
 std::vector<Condition> where_others_know_friction() {
@@ -419,6 +415,11 @@ Use with_other_ways(Use use, std::string_view path) {
 }
 
 }  // namespace
+
+Condition condition_of(const described::Where& where) {
+  return {.paths = parts_of(where.path, '|'),
+          .values = where.value.empty() ? std::vector<std::string>{} : parts_of(where.value, '|')};
+}
 
 Use use_of(const described::Facts& facts) {
   const std::string_view path = facts.path;

@@ -56,6 +56,17 @@ struct Field {
   std::size_t group =
       0;  // list: of so many elements; or a list of such lists, whose elements follow each other
   bool numerical = false;  // Details::numerical
+  std::size_t count = 0;   // list: of so many, if above 0
+
+  /// Of one of several structures that a case chooses from: by the value of the input `by`, or without a
+  /// value by which inputs it states.
+  struct Alternative {
+    std::string by;
+    std::string value;
+    std::size_t number = 0;
+  };
+  std::vector<Alternative> alternatives{};  // the outer ones first
+  bool required_if_chosen = false;
 
   /// What a row may say besides; each gives the row itself.
   Field& by_default(std::string text, std::string reason);

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "app/case/described_fields.hpp"
-#include "gearset/gear_pair.hpp"
+#include "app/case/machine_fields.hpp"
 
 namespace orbearing::app {
 
@@ -65,10 +65,10 @@ std::vector<Field> build_table() {
   table::add_case_fields(fields);
   table::add_drivetrain_fields(fields);
   table::add_bearing_fields(fields);
-  add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
   table::add_duplex_fields(fields);
-  table::add_film_fields(fields);
+  add_machine_fields(fields);
+  table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0)
       field.use = with_carrier_beside(

@@ -46,12 +46,13 @@ enum Analysis : unsigned {
   moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
   duplex_modes = 1u << 18,
   duplex_run = 1u << 19,
-  spin_film = 1u << 20,  // run of a contact that rolls and spins
   stiffness = 1u << 21,  // of a single bearing
   planet_stiffness = 1u << 22,
   planet_defect = 1u << 23,  // run of a drivetrain with a scratched planet bearing
-  carrier = 1u << 24         // the carrier as a body, over a revolution
+  carrier = 1u << 24,        // the carrier as a body, over a revolution
+  first_of_machines = 1u << 25  // and those after it: rows of app/case/machines.cpp
 };
+inline constexpr unsigned of_machines = ~(first_of_machines - 1u);
 
 /// Analyses that share their physics.
 inline constexpr unsigned one_set_in_time = dynamic | co_simulated | monolithic;
@@ -67,7 +68,7 @@ inline constexpr unsigned of_a_drivetrain =
 inline constexpr unsigned single_bearing_equilibrium = static_load | stiffness;  // of a single bearing
 inline constexpr unsigned duplex = duplex_modes | duplex_run;
 inline constexpr unsigned all =
-    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | duplex | spin_film;
+    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | duplex | of_machines;
 /// Balls that roll and slip by themselves.
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use
@@ -139,13 +140,11 @@ Use with_carrier_body(Use use, std::string_view path);
 /// with_carrier_body() says.
 Use with_carrier_beside(const Use& use, std::string_view path);
 
+/// What a row says of another input beside its own.
+Condition condition_of(const described::Where& where);
+
 /// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
 /// used, but for those that cannot take it.
 Use use_of(const described::Facts& facts);
-
-/// "run and sweep with --fidelity dynamic"
-std::string analysis_name(use::Analysis analysis);
-/// All of them, in the order in which they are listed.
-const std::vector<use::Analysis>& analyses();
 
 }  // namespace orbearing::app

@@ -146,6 +146,7 @@ class ResolvedCase {
   const std::map<std::string, std::string, std::less<>>& assumed() const { return data_->assumed; }
 
   const std::vector<FormerKey>& former() const { return data_->former; }
+  const CaseData& data() const { return *data_; }
 
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;

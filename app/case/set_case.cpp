@@ -13,10 +13,6 @@
 
 namespace orbearing::app {
 
-gearset::GearPair pair_of(const ResolvedCase& resolved) {
-  return from_case<gearset::GearPair>(resolved);
-}
-
 namespace {
 
 bool is_uneven(const ResolvedCase& in, const std::string& positions) {

@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "gearset/gear_pair.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_pair.hpp"
 
 namespace orbearing::app {
-
-// From a resolved case of the model gear-pair to the parameters of the pair.
-
-/// Lists must hold two values each.
-gearset::GearPair pair_of(const ResolvedCase& resolved);
 
 // What in a case makes the planets of a set carry unlike loads.
 

@@ -1,5 +1,7 @@
 # Sources of app/case, for the target of the app.
 set(ORBEARING_CASE_SOURCES
+  case/alternatives.cpp
+  case/analysis_names.cpp
   case/arrangement_case.cpp
   case/bearing_fields.cpp
   case/catalogue_case.cpp
@@ -20,7 +22,7 @@ set(ORBEARING_CASE_SOURCES
   case/field_table.cpp
   case/described_use.cpp
   case/field_use.cpp
-  case/film_fields.cpp
+  case/oil_fields.cpp
   case/mistake.cpp
   case/oil_case.cpp
   case/printable.cpp
@@ -46,5 +48,7 @@ set(ORBEARING_CASE_SOURCES
   case/use_conditions.cpp
   case/yaml_tree.cpp
   case/bearing_type.cpp
+  case/machine_fields.cpp
+  case/machines.cpp
   case/matrix_file.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

@@ -16,6 +16,7 @@
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
+#include "app/case/analysis_names.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <map>
 
+#include "app/case/analysis_names.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/machine_rows.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
@@ -231,11 +233,14 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
   unsigned allowed = use::single_bearing_equilibrium;
   const CaseShape& shape = resolved.shape();
   if (resolved.model() == ball_motion) allowed = use::ball_run;
-  if (resolved.model() == gear_pair) allowed = use::mesh;
+  unsigned of_machine = 0;
+  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
+    if (Row::model == resolved.model()) of_machine |= use_of_machine_analysis(number);
+  });
+  if (of_machine != 0) allowed = of_machine;
   if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
   if (resolved.model() == roller_defect) allowed = use::defect;
   if (resolved.model() == duplex_pair) allowed = use::duplex;
-  if (resolved.model() == spin_film) allowed = use::spin_film;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness |

@@ -5,6 +5,8 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/check_table.hpp"
+#include "app/case/machine_fields.hpp"
+#include "app/case/machines.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -29,11 +31,15 @@ struct Checked {
   bool has_power = false;  // a drivetrain whose members have speeds
 };
 
+// Of what has meshes.
+std::vector<std::string> mesh_warnings(const ResolvedCase& resolved) {
+  const MachineAnalysis* mesh = machine_analysis(resolved.model(), "mesh");
+  return mesh == nullptr ? std::vector<std::string>{} : mesh->compute(resolved.without_sweep(), {}).warnings;
+}
+
 Checked check(const ResolvedCase& resolved) {
-  if (resolved.model() == gear_pair) {
-    const MeshStudy meshes = mesh_study(resolved.without_sweep());
-    return {pair_quantities(resolved, meshes), meshes.warnings};
-  }
+  if (!fields_of_machine(resolved.model()).empty())
+    return {machine_quantities(resolved), mesh_warnings(resolved)};
   const Analysis* analysis = analysis_of(resolved);
   const std::vector<Derived> own =
       analysis != nullptr && analysis->derived != nullptr

@@ -12,27 +12,6 @@ namespace {
 
 using described::Numbers;
 
-// "N.m/rad" at the end of a key: "_N_m_per_rad", or "_N_m_rad".
-std::string at_end_of_key(std::string_view unit, std::string_view over) {
-  std::string end = "_";
-  for (const char c : unit)
-    if (c == '/')
-      end += over;
-    else
-      end += c == '.' ? '_' : c;
-  return end;
-}
-
-// The entry's own, or its key less the unit at its end.
-std::string variable_of(const described::Entry& entry) {
-  if (entry.variable) return *entry.variable;
-  for (const std::string_view over : {"_per_", "_"})
-    if (const std::string end = at_end_of_key(entry.dimension.customary, over);
-        end.size() > 1 && entry.name.size() > end.size() && entry.name.ends_with(end))
-      return entry.name.substr(0, entry.name.size() - end.size());
-  return entry.name;
-}
-
 // "N.m/rad" as conventions have it: "N m rad-1".
 std::string udunits_of(const described::Dimension& dimension) {
   if (dimension.si.empty()) return "1";
@@ -64,8 +43,8 @@ class Arrays {
     for (const Record* record : bundle.records) {
       if (record == nullptr) continue;
       for (const described::Entry& entry : record->entries()) {
-        if (std::find(done.begin(), done.end(), entry.name + variable_of(entry)) != done.end()) continue;
-        done.push_back(entry.name + variable_of(entry));
+        if (std::find(done.begin(), done.end(), entry.name + described::name_without_unit(entry)) != done.end()) continue;
+        done.push_back(entry.name + described::name_without_unit(entry));
         const Same same = same_entries(bundle, entry);
         const auto given = std::ranges::find_if(same, [](const described::Entry* one) {
           return one != nullptr && !std::holds_alternative<described::Nothing>(one->content);
@@ -90,7 +69,7 @@ class Arrays {
   }
 
   void add(const described::Entry& entry, const Same& same, const Bundle& bundle) {
-    const std::string name = bundle.prefix + variable_of(entry);
+    const std::string name = bundle.prefix + described::name_without_unit(entry);
     if (const auto* numbers = std::get_if<Numbers>(&entry.content)) {
       add_numbers(name, entry, *numbers, same, bundle);
     } else if (std::holds_alternative<std::string>(entry.content) && bundle.along.size() < 2) {

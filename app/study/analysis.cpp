@@ -5,11 +5,11 @@
 
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/machines.hpp"
 #include "app/errors.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/duplex_study.hpp"
-#include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
@@ -78,13 +78,6 @@ AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const Wanted&) {
   return result;
 }
 
-AnalysisResult film_of_contact(const ResolvedCase& in, const Wanted&) {
-  const FilmStudy study = film_study(in);
-  AnalysisResult result = described_result(study);
-  result.failed = std::ranges::any_of(study.points, &FilmPoint::lost);
-  return result;
-}
-
 bool runs_gears_alone(const ResolvedCase& in) {
   return in.model() == planetary_drivetrain && !in.shape().several && !in.shape().bearing;
 }
@@ -137,8 +130,22 @@ constexpr const char* defect_title = "vibration of a bearing with scratches";
 constexpr const char* signal_progress = "signal, in hundredths: ";
 constexpr std::size_t hundredths = 100;
 
+std::vector<Analysis> with_machines(std::vector<Analysis> table) {
+  for (const MachineAnalysis& one : machine_analyses())
+    if (one.command == "run")
+      table.push_back({.used = one.used,
+                       .is_of = nullptr,
+                       .machine = one.model,
+                       .fidelities = {"quasi-static"},
+                       .required = one.other_fidelity,
+                       .names = one.names,
+                       .scatter = one.scatter,
+                       .compute = one.compute});
+  return table;
+}
+
 const std::vector<Analysis>& all_analyses() {
-  static const std::vector<Analysis> table{
+  static const std::vector<Analysis> table = with_machines({
       {.used = use::static_load,
        .is_of = is_model<roller_bearing>,
        .fidelities = {"quasi-static"},
@@ -210,20 +217,21 @@ const std::vector<Analysis>& all_analyses() {
        .scatter = scatter::of_balls,
        .compute = duplex_pair_at_rest,
        .derived = duplex_quantities},
-      {.used = use::spin_film,
-       .is_of = is_spin_film,
-       .fidelities = {"quasi-static"},
-       .required = "none for the model spin-film, which is steady",
-       .names = {"film", "film of a contact"},
-       .scatter = scatter::of_films,
-       .compute = film_of_contact},
       {.used = use::gears,
        .is_of = runs_gears_alone,
        .fidelities = {},
        .required = "none for a gear set without a bearing, which runs alone",
        .names = {"gears", "vibration of the gear set"},
-       .compute = vibration_of_gears}};
+       .compute = vibration_of_gears}});
   return table;
+}
+
+}  // namespace
+
+namespace {
+
+bool fits(const Analysis& one, const ResolvedCase& in) {
+  return one.is_of != nullptr ? one.is_of(in) : in.model() == one.machine;
 }
 
 }  // namespace
@@ -231,7 +239,7 @@ const std::vector<Analysis>& all_analyses() {
 const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fidelity) {
   const Analysis* first = nullptr;
   for (const Analysis& one : all_analyses()) {
-    if (!one.is_of(resolved)) continue;
+    if (!fits(one, resolved)) continue;
     if (fidelity.empty() || std::ranges::find(one.fidelities, fidelity) != one.fidelities.end()) return &one;
     if (first == nullptr) first = &one;
   }

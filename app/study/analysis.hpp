@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/case/analysis_result.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/field_use.hpp"
 #include "app/case/resolved_case.hpp"
@@ -15,17 +16,6 @@
 
 namespace orbearing::app {
 
-/// What an analysis found. A record, from which whoever shows or keeps it makes what he needs.
-struct AnalysisResult {
-  Record record;
-  std::vector<std::string> warnings{};
-  std::string heading{};                              // of its text
-  std::vector<std::pair<std::string, double>> row{};  // of the table of a sweep; none: the record's numbers
-  std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
-  std::string status = "ok";                                 // that the netCDF file gives
-  bool failed = false;                                       // in parts
-};
-
 /// What stands in one list and then in the others, as warnings.
 template <class Item, class... More>
 std::vector<Item> joined(std::vector<Item> first, const More&... more) {
@@ -33,31 +23,11 @@ std::vector<Item> joined(std::vector<Item> first, const More&... more) {
   return first;
 }
 
-/// Relative differences between runs whose inputs differ by round-off [-].
-namespace scatter {
-inline constexpr double at_rest = 1e-14;   // equilibria of rollers are found to 1e-15
-inline constexpr double of_balls = 1e-13;  // those of balls
-inline constexpr double of_films = 1e-8;   // of the Reynolds solver's iterations
-inline constexpr double in_motion = 3e-3;  // lives from another start (docs/sensitivities.md)
-}  // namespace scatter
-
-/// What a caller wants besides the result.
-struct Wanted {
-  std::function<void(double)> progress{};  // gets the share done
-  bool files = false;                      // those of the folder
-};
-
-/// How a result is named.
-struct ResultNames {
-  const char* name;                 // in the manifest
-  const char* title;                // of the netCDF file
-  const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
-};
-
 /// One row of the table.
 struct Analysis {
   use::Analysis used;                   // its name for users, and which inputs it uses
-  bool (*is_of)(const ResolvedCase&);   // whether it is what `run` does with the case
+  bool (*is_of)(const ResolvedCase&);   // whether it is what `run` does with the case; null: by `machine`
+  Model machine = no_model;
   std::vector<std::string> fidelities;  // that --fidelity may name; the first is what it does without
   std::string required;                 // in place of another one
   ResultNames names;

@@ -18,36 +18,6 @@ constexpr described::Names<FilmSolver, 2> names_of(FilmSolver) {
   return {{{FilmSolver::regression, "regression"}, {FilmSolver::reynolds, "reynolds"}}};
 }
 
-struct FilmChoice {
-  FilmSolver solver = FilmSolver::regression;
-};
-
-template <class Visitor>
-void describe(Visitor& visit, FilmChoice& m) {
-  using namespace described;
-  members(
-      visit, m,
-      field(
-          m.solver, "film.solver", Physics::one_contact,
-          "film by the source's regressions, or by Reynolds' equation with elastic bodies (129 x 129 nodes)",
-          {.models = spin_film,
-           .reason = "as the source; a solution takes about a second and has no range to leave"}));
-}
-
-/// A contact of rollers, in place of an ellipse.
-struct LineContact {
-  double length = 0.0;  // [m]  0: an ellipse
-};
-
-template <class Visitor>
-void describe(Visitor& visit, LineContact& m) {
-  using namespace described;
-  members(visit, m,
-          field(m.length, "contact.length", Physics::one_contact,
-                "length of a line contact, instead of contact.ellipticity",
-                {.models = spin_film, .dimension = dimension::length, .range = positive(1e4)}));
-}
-
 /// The same of a line contact of `length` [m].
 LineFilmCase line_film_case(const EllipticalContact& contact, double length, const Lubricant& oil,
                             const ContactMotion& motion);

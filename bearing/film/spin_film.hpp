@@ -21,27 +21,6 @@ struct EllipticalContact {
   double modulus = 0.0;         // [Pa]  E/(1 - nu^2) for like bodies
 };
 
-template <class Visitor>
-void describe(Visitor& visit, EllipticalContact& m) {
-  using namespace described;
-  members(visit, m,
-          field(m.rolling_radius, "contact.rolling_radius", Physics::one_contact,
-                "equivalent radius of curvature in the plane of rolling",
-                {.models = spin_film,
-                 .required_by = spin_film,
-                 .dimension = dimension::length,
-                 .range = positive(1e4)}),
-          field(m.ellipticity, "contact.ellipticity", Physics::one_contact,
-                "axis of the ellipse of contact across rolling over that along it",
-                {.models = spin_film, .required_by = spin_film, .range = {0.01, 100.0}}),
-          field(m.modulus, "contact.modulus", Physics::one_contact,
-                "effective modulus E': E/(1 - nu^2) for like bodies",
-                {.models = spin_film,
-                 .required_by = spin_film,
-                 .dimension = dimension::stress,
-                 .range = positive(1e4)}));
-}
-
 /// Of a ball on a race at the nominal contact angle.
 EllipticalContact ball_contact(const Bearing& bearing, Race race);
 
@@ -51,6 +30,16 @@ struct ContactMotion {
   double rolling = 0.0;  // [m/s]    mean speed of both surfaces
   double spin = 0.0;     // [rad/s]  of one against the other about the normal
 };
+
+template <class Visitor>
+void describe(Visitor& visit, ContactMotion& m) {
+  using namespace described;
+  members(visit, m, input(m.load, "load", "of the contact", {.dimension = dimension::force, .range = positive(1e9)}),
+          input(m.rolling, "rolling_speed", "mean of both surfaces",
+                {.dimension = dimension::speed, .range = positive(1e4)}),
+          input(m.spin, "spin", "of one surface against the other",
+                {.dimension = dimension::spin, .range = {-1e6, 1e6}}));
+}
 
 struct Films {
   double rigid = 0.0;    // [m]  approach of the bodies without their deformation less film: h_0

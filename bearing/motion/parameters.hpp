@@ -542,7 +542,7 @@ struct DynamicsParameters {
   Driving driving;
   InertiaSwitches inertia;
   Gravity gravity;
-  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
+  Lubricant lubricant = warm_gear_oil;
   double bore_mass = 0.0;  // [kg]  planet mass per bearing; 0: that of the outer ring
 };
 

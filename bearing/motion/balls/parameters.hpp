@@ -128,7 +128,7 @@ struct MotionParameters {
   motion::CageParameters cage;
   motion::OilDragParameters drag;
   MixtureParameters mixture;
-  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
+  Lubricant lubricant = warm_gear_oil;
   EllipseParameters ellipse;
   PocketParameters pocket;
   RingBodyParameters inner;

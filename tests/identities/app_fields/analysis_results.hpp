@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "app/case/field_use.hpp"
+#include "app/case/analysis_names.hpp"
+#include "app/case/machines.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/record_writers.hpp"
@@ -204,13 +206,14 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     }
     case use::duplex_run:
       return record_text(duplex_study(in));
-    case use::spin_film:
-      return record_text(film_study(in));
     case use::stiffness:
     case use::planet_stiffness:
       return record_text(stiffness_study(in));
+    default:
+      break;
   }
-  return {};
+  const auto of_machine = std::ranges::find(machine_analyses(), analysis, &MachineAnalysis::used);
+  return of_machine == machine_analyses().end() ? "" : json_of(of_machine->compute(in, {}).record).dump();
 }
 
 }  // namespace orbearing::app::fields_test

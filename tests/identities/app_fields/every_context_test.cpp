@@ -90,13 +90,14 @@ std::vector<Context> contexts_of_rollers_at_rest() {
 
 std::vector<Context> contexts_of_teeth() {
   const std::string set = "bearing_in_a_set", loaded = "gearset.tooth_contact=loaded";
+  const unsigned mesh_of_pair = machine_analysis(described::gear_pair, "mesh")->used;
   return {{"loaded_teeth", set, {loaded}, use::mesh},
           {"relieved_teeth", set,
            {loaded, "gearset.tip_relief.sun=20 um", "gearset.tip_relief.planet=10 um",
             "gearset.lead_crown.sun=10 um", "gearset.lead_slope.ring=10 um"},
            use::mesh},
-          {"helical_pair", "pair_of_gears", {"pair.helix_angle=12 deg"}, use::mesh},
-          {"pair_with_web", "pair_of_gears", {"pair.web.thickness=0.3"}, use::mesh},
+          {"helical_pair", "pair_of_gears", {"pair.helix_angle=12 deg"}, mesh_of_pair},
+          {"pair_with_web", "pair_of_gears", {"pair.web.thickness=0.3"}, mesh_of_pair},
           {"stated_meshes", "gears_alone",
            {kDynamics + "mesh_stiffness.sun=4e8 N/m", kDynamics + "mesh_stiffness.ring=4e8 N/m"}, use::modes},
           {"springs_that_turn", "masses_and_springs", {kDynamics + "sun.torsional_stiffness=1e7 N/m"},
@@ -141,7 +142,7 @@ std::vector<Context> contexts_of_single_bearings() {
       {"film_by_reynolds",
        "spin_film",
        {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
-       use::spin_film},
+       machine_analysis(described::spin_film, "run")->used},
       {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
       {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
       {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/film_study.hpp"
@@ -22,7 +23,11 @@ ResolvedCase shipped(const std::string& name, const std::vector<std::string>& se
   return read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml", settings);
 }
 
-Record record_of(const FilmStudy& study) {
+analysis::FilmOfContact film_study(const ResolvedCase& in) {
+  return analysis::film_of_contact(machine_of<analysis::SpinFilm>(in));
+}
+
+Record record_of(const analysis::FilmOfContact& study) {
   Record record;
   describe(record, study);
   return record;
@@ -32,7 +37,7 @@ double number(const nlohmann::ordered_json& row, const char* key) {
   return row.at(key).get<double>();
 }
 
-std::string csv_called(const std::string& file, const FilmStudy& study) {
+std::string csv_called(const std::string& file, const analysis::FilmOfContact& study) {
   const Record record = record_of(study);
   for (const described::Entry& entry : record.entries())
     if (entry.file == file) return csv_of(entry);
@@ -56,7 +61,7 @@ TEST(FilmStudy, RowsThatAreNone) {
 
 // The printed rows, by the names that the validation table has.
 TEST(FilmStudy, ThePrintedRowsAreMet) {
-  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 10 m/s, 300 rad/s]]"}));
+  const analysis::FilmOfContact study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 10 m/s, 300 rad/s]]"}));
   constexpr double asked = 0.015;
   const nlohmann::ordered_json row = json_of(record_of(study)).at("film").at(0);
   EXPECT_NEAR(number(row, "h_c_HamrockDowson_um") / 0.6428, 1.0, asked);
@@ -68,7 +73,7 @@ TEST(FilmStudy, ThePrintedRowsAreMet) {
 
 // A film that spin alone has made vanish is none; nothing is used beyond its range without a word.
 TEST(FilmStudy, WhatIsBeyondTheRangesIsReported) {
-  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 5 m/s, 5000 rad/s]]"}));
+  const analysis::FilmOfContact study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 5 m/s, 5000 rad/s]]"}));
   EXPECT_EQ(study.points[0].films.least, 0.0);
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));
 }
@@ -80,7 +85,7 @@ TEST(FilmStudy, BySolvingReynoldsEquation) {
                                         "points=[[20 N, 5 m/s, 3000 rad/s], [20 N, 5 m/s, 0 rad/s]]"};
   std::vector<std::string> settings = points;
   settings.emplace_back("film.solver=reynolds");
-  const FilmStudy study = film_study(shipped("spin_film_guo2013", settings));
+  const analysis::FilmOfContact study = film_study(shipped("spin_film_guo2013", settings));
   ASSERT_EQ(study.points.size(), 2u);
   EXPECT_THAT(study.warnings, IsEmpty());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -94,7 +99,7 @@ TEST(FilmStudy, BySolvingReynoldsEquation) {
 
 // A film of a tenth of a squared step: null in the results, with a warning that names the row.
 TEST(FilmStudy, APointThatReynoldsEquationDoesNotSolveIsNullAndWarned) {
-  const FilmStudy study =
+  const analysis::FilmOfContact study =
       film_study(shipped("spin_film_guo2013", {"film.solver=reynolds", "contact.ellipticity=1",
                                                "points=[[2000 N, 0.001 m/s, 0 rad/s]]"}));
   ASSERT_FALSE(study.points.at(0).solution->converged);
@@ -109,14 +114,14 @@ TEST(FilmStudy, APointThatReynoldsEquationDoesNotSolveIsNullAndWarned) {
 
 // The case's own contact, without its regression.
 TEST(FilmStudy, ThePublishedContactIsSolvedByReynoldsEquation) {
-  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"film.solver=reynolds"}));
+  const analysis::FilmOfContact study = film_study(shipped("spin_film_guo2013", {"film.solver=reynolds"}));
   EXPECT_THAT(study.warnings, IsEmpty());
-  for (const FilmPoint& point : study.points) EXPECT_TRUE(point.solution->converged);
+  for (const analysis::FilmPoint& point : study.points) EXPECT_TRUE(point.solution->converged);
 }
 
 // Rollers have lines: the same command, with results of their own.
 TEST(FilmStudy, ALineContactIsSolved) {
-  const FilmStudy study = film_study(shipped("reynolds_line", {"points=[[684 N, 1.14 m/s, 0 rad/s]]"}));
+  const analysis::FilmOfContact study = film_study(shipped("reynolds_line", {"points=[[684 N, 1.14 m/s, 0 rad/s]]"}));
   EXPECT_THAT(study.warnings, IsEmpty());
   const nlohmann::ordered_json row = json_of(record_of(study)).at("film").at(0);
   EXPECT_NEAR(number(row, "h_min_um") / number(row, "h_min_DowsonHigginson_um"), 1.0, 0.1);

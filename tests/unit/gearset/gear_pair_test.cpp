@@ -57,7 +57,7 @@ TEST(PairProblems, NameThePositionAndWhatIsRequired) {
        }},
       {"pair.bore", "root diameter of the second gear", [](GearPair& p) { p.bore = 36e-3; }},
       {"pair.bore", "more than zero", [](GearPair& p) { p.bore = 0.0; }},
-      {"pair.driven_bore", "root diameter of the second gear", [](GearPair& p) { p.driven_bore = 36e-3; }},
+      {"pair.driven_bore", "root diameter of the second gear", [](GearPair& p) { p.kind = ExternalPair{36e-3}; }},
       {"pair.root_fillet_radius", "fits on the rack's tip",
        [](GearPair& p) { p.rack.root_fillet_radius = 0.5; }},
       {"pair.addendum", "point", [](GearPair& p) { p.rack.addendum = 2.0; }},
@@ -81,11 +81,11 @@ TEST(PairProblems, AreNoneForSoundPairs) {
 // A wheel takes a bore that its pinion could not; a gear inside a ring has the one bore there is.
 TEST(PairProblems, AreNoneForAWideBoreOfTheWheelAlone) {
   GearPair pair = pair_of(30, 90);
-  pair.driven_bore = 100e-3;
+  pair.kind = ExternalPair{100e-3};
   EXPECT_TRUE(pair_problems(pair).empty());
   EXPECT_EQ(pair.bore_of(0), 10e-3);
   EXPECT_EQ(pair.bore_of(1), 100e-3);
-  pair.kind = PairKind::internal;
+  pair.kind = InternalPair{};
   EXPECT_EQ(pair.bore_of(0), 10e-3);
   EXPECT_EQ(pair.bore_of(1), 10e-3);
 }

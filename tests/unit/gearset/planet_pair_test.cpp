@@ -158,7 +158,7 @@ TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
                       .module = 4e-3,
                       .face_width = 40e-3,
                       .bore = 55e-3,
-                      .kind = PairKind::internal};
+                      .kind = InternalPair{}};
   const Warnings alone = pair_warnings(internal_mesh(ring));
   ASSERT_EQ(alone.size(), 1U);
   ASSERT_EQ(found.size(), 1U);

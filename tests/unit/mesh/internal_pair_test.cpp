@@ -17,7 +17,7 @@ constexpr double round_off = 1e-12;  // relative
 
 GearPair internal_of(int first, int second) {
   GearPair pair{{first, second}, {0.0, 0.0}, 2e-3, 20e-3, 10e-3, {}};
-  pair.kind = PairKind::internal;
+  pair.kind = InternalPair{};
   return pair;
 }
 
@@ -30,7 +30,7 @@ GearPair pair_of_set(const PlanetarySet& set, const WorkingGeometry& geometry) {
                 set.planet_bore,
                 set.rack,
                 set.helix_angle};
-  pair.kind = PairKind::internal;
+  pair.kind = InternalPair{};
   return pair;
 }
 
@@ -38,7 +38,7 @@ GearPair pair_of_set(const PlanetarySet& set, const WorkingGeometry& geometry) {
 // 0.5.
 TEST(InternalPair, HasThePrintedGeometry) {
   GearPair pair{{16, 24}, {0.0, 0.5}, 3e-3, 20e-3, 20e-3, {}};
-  pair.kind = PairKind::internal;
+  pair.kind = InternalPair{};
   const InternalMesh mesh = internal_mesh(pair);
   constexpr double printed = 1e-4;  // relative: digits of the source
   EXPECT_NEAR(mesh.mesh.working_pressure_angle * 180.0 / std::numbers::pi / 31.0938, 1.0, printed);
@@ -73,7 +73,7 @@ TEST(InternalPair, IsTheRingMeshOfASet) {
     EXPECT_NEAR(alone.mesh.contact_ratio / geometry.ring_mesh.contact_ratio, 1.0, 1e-10);
     const PlanetaryMeshes in_set = planetary_meshes(set, geometry, {}, steel, {});
     const MeshingGears gears = meshing_gears(
-        make_mesh_gear(alone.ring, pair.ring_outside * alone.ring.root_radius, pair.face_width, steel),
+        make_mesh_gear(alone.ring, std::get<InternalPair>(pair.kind).ring_outside * alone.ring.root_radius, pair.face_width, steel),
         make_mesh_gear(alone.inside, 0.5 * pair.bore, pair.face_width, steel), alone.centre_distance, false);
     const MeshStiffness mesh = mesh_stiffness(gears);
     EXPECT_NEAR(mesh.curve.mean() / in_set.ring.curve.mean(), 1.0, 1e-9);

@@ -1,10 +1,9 @@
-// Fields of a contact that rolls and spins by itself, and of an oil by its grade.
+// Fields of an oil by its grade.
 #include <fmt/format.h>
 
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"
-#include "bearing/film/film_choice.hpp"
 #include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app::table {
@@ -21,8 +20,10 @@ Use use_of_grade(const Field& viscosity) {
   return use.used_too(use::crown | use::static_load, where_absent("life.viscosity_ratio"));
 }
 
+}  // namespace
+
 // What uses the viscosity uses them.
-void add_oil(std::vector<Field>& fields) {
+void add_oil_fields(std::vector<Field>& fields) {
   const Field viscosity = row_of(fields, "lubricant.viscosity");
   const Use use = use_of_grade(viscosity), beside = use.when(where_given({"lubricant.grade"}));
   Rows rows(fields, viscosity.models);
@@ -46,24 +47,6 @@ void add_oil(std::vector<Field>& fields) {
   rows.number("lubricant.viscosity_index", "viscosity index, stated with the grade",
               beside.when(where_absent("lubricant.viscosity_100")), {0.0, 100.0})
       .by_default("95", "an ordinary mineral oil");
-}
-
-}  // namespace
-
-void add_film_fields(std::vector<Field>& fields) {
-  add_described(fields, bearing::film::EllipticalContact{});
-  add_described(fields, bearing::film::LineContact{});
-  Field& ellipse = row_of(fields, "contact.ellipticity");
-  ellipse.required_by = no_model;  // consistency.cpp asks for one of the two
-  ellipse.under(where_absent("contact.length"));
-  add_described(fields, bearing::film::FilmChoice{});
-  Rows(fields, spin_film)
-      .list_of_rows("points", "loads and motions for which the film is computed", Use(use::spin_film, 0),
-                    {{"load", dimension::force, positive(1e9)},
-                     {"rolling speed", dimension::speed, positive(1e4)},
-                     {"spin", dimension::spin, {-1e6, 1e6}}})
-      .required();
-  add_oil(fields);
 }
 
 }  // namespace orbearing::app::table

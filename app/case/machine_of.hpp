@@ -1,0 +1,95 @@
+// The structure of a machine, or of a part of its inputs, from a case.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/case/described_case.hpp"
+#include "app/case/machine_fields.hpp"
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// A visitor of the rows of a machine: gives each member the value that the case has.
+class MachineFromCase {
+ public:
+  explicit MachineFromCase(const ResolvedCase& in) : in_(in) {}
+
+  template <class Member>
+  void operator()(Member& member, const described::Facts& facts) {
+    const bool there = in_.has(facts.path);
+    if (looking_)
+      found_ = found_ || there;
+    else if (!there)
+      return;
+    else if constexpr (is_list_of_parts<Member>)
+      read_rows(member, facts.path);
+    else
+      DescribedCase(in_).read_value(member, facts);
+  }
+
+  template <class Self, class Variant>
+  void choose(Self& self, Variant& member, const described::Facts& facts) {
+    if (looking_) {
+      found_ = found_ || in_.has(facts.path);
+      return;
+    }
+    if (in_.has(facts.path))
+      each_alternative<Variant>([&](const auto& one, std::size_t) {
+        if (one.name == in_.choice(facts.path)) member = one;
+      });
+    std::visit([&](auto& chosen) { describe(self, chosen); }, member);
+  }
+
+  template <class Self, class Variant>
+  void choose_by_inputs(Self& self, Variant& member) {
+    if (looking_) return;
+    each_alternative<Variant>([&](auto one, std::size_t) {
+      looking_ = true;
+      found_ = false;
+      describe(self, one);
+      looking_ = false;
+      if (found_) member = one;
+    });
+    std::visit([&](auto& chosen) { describe(self, chosen); }, member);
+  }
+
+ private:
+  // Numbers of one row after another.
+  class Row {
+   public:
+    explicit Row(const double* number) : next_(number) {}
+    void operator()(double& member, const described::Facts&) { member = *next_++; }
+
+   private:
+    const double* next_;
+  };
+
+  template <class Part>
+  void read_rows(std::vector<Part>& member, const std::string& path) {
+    const std::vector<double>& numbers = in_.list(path);
+    ColumnsOfRows visit;
+    Part part{};
+    describe(visit, part);
+    member.clear();
+    for (std::size_t i = 0; i < numbers.size(); i += visit.columns.size()) {
+      Row row(&numbers[i]);
+      describe(row, member.emplace_back());
+    }
+  }
+
+  const ResolvedCase& in_;
+  bool looking_ = false, found_ = false;  // whether the case states an input of an alternative
+};
+
+/// A machine, or what an analysis takes of it, with the values of the case.
+template <class Machine>
+Machine machine_of(const ResolvedCase& in) {
+  Machine machine{};
+  MachineFromCase visit(in);
+  describe(visit, machine);
+  return machine;
+}
+
+}  // namespace orbearing::app

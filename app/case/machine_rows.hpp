@@ -1,0 +1,92 @@
+// Machines whose cases are types, and analyses of the library that take them: one row for each. Fields of
+// cases, which analysis uses which input, checks and runs follow from the types in these rows.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "app/case/field_use.hpp"
+#include "coupling/analysis/contact_film.hpp"
+#include "coupling/analysis/pair_meshes.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::app {
+
+/// Relative differences between runs whose inputs differ by round-off [-].
+namespace scatter {
+inline constexpr double at_rest = 1e-14;   // equilibria of rollers are found to 1e-15
+inline constexpr double of_balls = 1e-13;  // those of balls
+inline constexpr double of_films = 1e-8;   // of the Reynolds solver's iterations
+inline constexpr double in_motion = 3e-3;  // lives from another start (docs/sensitivities.md)
+}  // namespace scatter
+
+/// How a result is named.
+struct ResultNames {
+  const char* name;                 // in the manifest
+  const char* title;                // of the netCDF file
+  const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
+};
+
+namespace machine_rows {
+
+using described::Model;
+
+struct PairOfGears {
+  using Type = analysis::PairOfGears;
+  static constexpr Model model = described::gear_pair;
+  static constexpr std::string_view prefix = "pair.";  // of what `check` derives
+};
+struct SpinFilm {
+  using Type = analysis::SpinFilm;
+  static constexpr Model model = described::spin_film;
+  static constexpr std::string_view prefix = "";
+};
+
+struct MeshesOfPair {
+  static constexpr auto analyse = analysis::meshes_of_pair;
+  static constexpr Model model = described::gear_pair;
+  static constexpr std::string_view command = "mesh";
+  static constexpr const char* name = "mesh";  // for users, among those that use an input
+  static constexpr const char* other_fidelity = "";  // what is required in place of another --fidelity
+  static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
+  static constexpr double scatter = app::scatter::at_rest;
+};
+struct FilmOfContact {
+  static constexpr auto analyse = analysis::film_of_contact;
+  static constexpr Model model = described::spin_film;
+  static constexpr std::string_view command = "run";
+  static constexpr const char* name = "run of a contact that rolls and spins";
+  static constexpr const char* other_fidelity = "none for the model spin-film, which is steady";
+  static constexpr ResultNames names{"film", "film of a contact"};
+  static constexpr double scatter = app::scatter::of_films;
+};
+
+}  // namespace machine_rows
+
+/// Calls `call` with each row, and its number.
+template <class... Rows>
+struct RowsOf {
+  template <class Call>
+  static void each(const Call& call) {
+    std::size_t number = 0;
+    (call(Rows{}, number++), ...);
+  }
+};
+using Machines = RowsOf<machine_rows::PairOfGears, machine_rows::SpinFilm>;
+using MachineAnalyses = RowsOf<machine_rows::MeshesOfPair, machine_rows::FilmOfContact>;
+
+/// What a function of the library takes.
+template <class Function>
+struct InputsOf;
+template <class Result, class Inputs>
+struct InputsOf<Result (*)(const Inputs&)> {
+  using Type = Inputs;
+};
+
+/// The bit of the analysis of that number among those of all.
+constexpr use::Analysis use_of_machine_analysis(std::size_t number) {
+  return static_cast<use::Analysis>(unsigned{use::first_of_machines} << number);
+}
+
+}  // namespace orbearing::app
