@@ -6,8 +6,8 @@
 
 namespace orbearing::mechanics {
 
-/// What was found and what it means or asks for; `key` is that of the case file, such as "gearset.teeth". Of a
-/// refusal the text is "found; required".
+/// What was found and what it means or asks for; `key` is that of the case file, such as "gearset.teeth". Of
+/// a refusal the text is "found; required".
 struct Problem {
   std::string key;
   std::string text;

@@ -57,8 +57,9 @@ void refuse(const CaseData& data, const Field& field, std::vector<Mistake>& mist
     if (one->value.empty())
       return {fmt::format("{} together with {}", quote(value.value.given), inputs_of_others(field, *one)),
               "one of both is required"};
-    return {fmt::format("an input of {}: {}, and here it is {}", one->by, one->value, value_of(data, one->by)),
-            fmt::format("a case without it, or {}: {}, is required", one->by, one->value)};
+    return {
+        fmt::format("an input of {}: {}, and here it is {}", one->by, one->value, value_of(data, one->by)),
+        fmt::format("a case without it, or {}: {}, is required", one->by, one->value)};
   };
   mistakes.push_back({value.location, field.path, message()});
 }
@@ -66,9 +67,8 @@ void refuse(const CaseData& data, const Field& field, std::vector<Mistake>& mist
 }  // namespace
 
 bool is_chosen(const CaseData& data, const Field& field) {
-  return std::ranges::all_of(field.alternatives, [&](const Field::Alternative& one) {
-    return is_chosen(data, field, one);
-  });
+  return std::ranges::all_of(field.alternatives,
+                             [&](const Field::Alternative& one) { return is_chosen(data, field, one); });
 }
 
 void settle_alternatives(CaseData& data, Model model, std::vector<Mistake>& mistakes) {

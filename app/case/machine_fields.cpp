@@ -18,9 +18,11 @@ std::map<Model, std::vector<Field>> fields_by_model() {
     all[Row::model] = std::move(visit.fields);
   });
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    const std::vector<std::string> taken = paths_of<typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type>();
+    const std::vector<std::string> taken =
+        paths_of<typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type>();
     for (Field& field : all.at(Row::model))
-      if (std::ranges::find(taken, field.path) != taken.end()) field.use.by |= use_of_machine_analysis(number);
+      if (std::ranges::find(taken, field.path) != taken.end())
+        field.use.by |= use_of_machine_analysis(number);
   });
   return all;
 }
@@ -37,6 +39,7 @@ void merge(const Field& of_machine, Field& field) {
   field.models |= of_machine.models;
   field.required_by |= of_machine.required_by;
   field.use.by |= of_machine.use.by;
+  field.use.not_modelled_by &= ~of_machine.use.by;
 }
 
 }  // namespace

@@ -31,8 +31,10 @@ void each_alternative(const Call& call) {
 template <class T>
 inline constexpr bool is_list_of_parts = false;
 template <class Part>
-inline constexpr bool is_list_of_parts<std::vector<Part>> = std::is_class_v<Part> && std::is_aggregate_v<Part> &&
-    !requires { std::tuple_size<Part>::value; };
+inline constexpr bool is_list_of_parts<std::vector<Part>> =
+    std::is_class_v<Part>&& std::is_aggregate_v<Part> && !requires {
+  std::tuple_size<Part>::value;
+};
 
 template <class T>
 inline constexpr std::size_t stated_count = 0;
@@ -154,8 +156,8 @@ std::vector<std::string> paths_of() {
 /// Fields of the machine of that model; empty where its cases are no type.
 const std::vector<Field>& fields_of_machine(Model model);
 
-/// Adds the fields of all machines, with the analyses that use them. What another model has as well is the same
-/// field. Throws std::logic_error where two rows of one path have unlike defaults.
+/// Adds the fields of all machines, with the analyses that use them. What another model has as well is the
+/// same field. Throws std::logic_error where two rows of one path have unlike defaults.
 void add_machine_fields(std::vector<Field>& fields);
 
 }  // namespace orbearing::app

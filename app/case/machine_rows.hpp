@@ -47,7 +47,7 @@ struct MeshesOfPair {
   static constexpr auto analyse = analysis::meshes_of_pair;
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view command = "mesh";
-  static constexpr const char* name = "mesh";  // for users, among those that use an input
+  static constexpr const char* name = "mesh";        // for users, among those that use an input
   static constexpr const char* other_fidelity = "";  // what is required in place of another --fidelity
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
   static constexpr double scatter = app::scatter::at_rest;

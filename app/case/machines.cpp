@@ -26,8 +26,8 @@ AnalysisResult computed(const ResolvedCase& in, const Wanted&) {
 std::vector<MachineAnalysis> rows_of_analyses() {
   std::vector<MachineAnalysis> rows;
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    rows.push_back({Row::model, Row::command, use_of_machine_analysis(number), Row::other_fidelity, Row::names,
-                    Row::scatter, computed<Row>});
+    rows.push_back({Row::model, Row::command, use_of_machine_analysis(number), Row::other_fidelity,
+                    Row::names, Row::scatter, computed<Row>});
   });
   return rows;
 }
@@ -51,14 +51,15 @@ namespace {
 bool is_whole(CheckedCase& in) {
   bool whole = true;
   for (const Field& field : fields_of_machine(in.model())) {
-    const bool required = (field.required_by & in.model()) != 0 ||
-                          (field.required_if_chosen && is_chosen(in.data(), field));
+    const bool required =
+        (field.required_by & in.model()) != 0 || (field.required_if_chosen && is_chosen(in.data(), field));
     whole = whole && (!required || in.has(field.path));
     if (required && field.required_if_chosen && !in.has(field.path) &&
         std::ranges::find(in.mistakes, field.path, &Mistake::path) == in.mistakes.end()) {
       const std::string others = inputs_of_others(field, field.alternatives.back());
-      in.add_error_at(field.path, "missing",
-                      requirement(field) + " is required" + (others.empty() ? "" : ", or " + others + " instead"));
+      in.add_error_at(
+          field.path, "missing",
+          requirement(field) + " is required" + (others.empty() ? "" : ", or " + others + " instead"));
     }
     if (field.count == 0 || !in.has(field.path) || in.list(field.path).size() == field.count) continue;
     in.add_error_at(field.path, fmt::format("a list of {}", in.list(field.path).size()),
@@ -94,8 +95,8 @@ void add_derived(const described::Record& record, const std::string& prefix, std
     if (const auto* child = std::get_if<described::Child>(&entry.content))
       add_derived(child->one.front(), path + ".", rows);
     else if (const auto* numbers = std::get_if<described::Numbers>(&entry.content))
-      rows.push_back({path, numbers->values.front() / entry.dimension.factor, std::string(entry.dimension.customary),
-                      entry.meaning});
+      rows.push_back({path, numbers->values.front() / entry.dimension.factor,
+                      std::string(entry.dimension.customary), entry.meaning});
   }
 }
 

@@ -55,8 +55,7 @@ mechanics::Problems problems(const SpinFilm& machine) {
              "a line contact together with film.solver: regression; film.solver: reynolds is required: the "
              "regressions are for ellipses only"}};
   if (std::ranges::any_of(machine.points, [](const auto& point) { return point.spin != 0.0; }))
-    return {{"points",
-             "a line contact that spins; no spin is required together with contact.length"}};
+    return {{"points", "a line contact that spins; no spin is required together with contact.length"}};
   return {};
 }
 
@@ -72,9 +71,10 @@ FilmOfContact film_of_contact(const SpinFilm& machine) {
     if (machine.solver == film::FilmSolver::reynolds) {
       result.points.push_back(by_reynolds(machine, motion));
       if (result.points.back().lost())
-        result.warnings.push_back(row +
-                                  "Reynolds' equation was not solved: a film too thin for the grid, or bodies "
-                                  "that penetrate each other");
+        result.warnings.push_back(
+            row +
+            "Reynolds' equation was not solved: a film too thin for the grid, or bodies "
+            "that penetrate each other");
       continue;
     }
     result.points.push_back({motion, film::spin_films(ellipse, machine.lubricant, motion), {}});

@@ -20,9 +20,10 @@ struct EllipseOfContact {
 template <class Visitor>
 void describe(Visitor& visit, EllipseOfContact& m) {
   using namespace described;
-  members(visit, m,
-          input(m.ellipticity, "ellipticity", "axis of the ellipse of contact across rolling over that along it",
-                {.range = {0.01, 100.0}}));
+  members(
+      visit, m,
+      input(m.ellipticity, "ellipticity", "axis of the ellipse of contact across rolling over that along it",
+            {.range = {0.01, 100.0}}));
 }
 
 struct LineOfContact {

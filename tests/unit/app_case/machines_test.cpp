@@ -102,7 +102,7 @@ TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
               HasSubstr("pair.driven_bore: an input of pair.kind: external, and here it is internal; a case without "
                         "it, or pair.kind: external, is required"));
   EXPECT_THAT(refusal_of(pair + "  ring_outside_ratio: 1.2\n"),
-              AllOf(HasSubstr("case.yaml:8:3"), HasSubstr("an input of pair.kind: internal")));
+              AllOf(HasSubstr("case.yaml:8:23"), HasSubstr("an input of pair.kind: internal")));
   EXPECT_THAT(refusal_of(film, {"contact.length=3 mm"}), HasSubstr("together with contact."));
 }
 
@@ -124,7 +124,7 @@ TEST(Alternatives, DefaultsAreThoseOfTheChosenOne) {
 }
 
 TEST(Machines, ArraysHaveAsManyValuesAsTheirMember) {
-  EXPECT_THAT(refusal_of(pair, {"pair.teeth=[20, 61, 3]"}), HasSubstr("pair.teeth: a list of 3; 2 values are required"));
+  EXPECT_THAT(refusal_of(pair, {"pair.teeth=[20, 61, 30]"}), HasSubstr("pair.teeth: a list of 3; 2 values are required"));
 }
 
 TEST(Machines, AreReadAgainAsTheyWereWritten) {

@@ -31,7 +31,7 @@ std::vector<std::string> pair_mistakes(const std::string& setting) {
 }
 
 TEST(GearPairCase, TellsWhatDoesNotFit) {
-  EXPECT_THAT(pair_mistakes("pair.teeth=[20]"), Contains(HasSubstr("pair.teeth: a list of 1; two values")));
+  EXPECT_THAT(pair_mistakes("pair.teeth=[20]"), Contains(HasSubstr("pair.teeth: a list of 1; 2 values")));
   EXPECT_THAT(pair_mistakes("pair.profile_shift=[0, 0, 0]"),
               Contains(HasSubstr("pair.profile_shift: a list of 3")));
   EXPECT_THAT(pair_mistakes("pair.bore=130 mm"),
