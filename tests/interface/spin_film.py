@@ -73,7 +73,8 @@ class Contact(unittest.TestCase):
             neither.write_text("".join(line + "\n" for line in FILM.read_text().splitlines() if "ellipticity" not in line))
             refused = call("run", neither, "--json")
             self.assertEqual(refused.returncode, 2)
-            self.assertIn("neither an ellipse nor a line", refused.stderr)
+            self.assertIn("contact.ellipticity: missing", refused.stderr)
+        self.assertIn("or contact.length instead", refused.stderr)
             line = pathlib.Path(place) / "line"
             done = call("run", CASES / "reynolds_line" / "case.yaml", "-o", line, "--json")
             row = json.loads(done.stdout)["film"][0]
