@@ -17,8 +17,8 @@
 
 namespace orbearing::mechanics {
 
-/// Forces out of balance at one place of N coordinates, and how stiffly they resist. All coordinates are
-/// lengths [m], tilts being taken at a lever, so that all forces are in [N]. N may be Eigen::Dynamic.
+/// Unbalanced forces at one position of N coordinates, and the stiffness there. All coordinates are lengths
+/// [m], tilts being multiplied by a lever, so that all forces are in [N]. N may be Eigen::Dynamic.
 template <int N>
 struct Imbalance {
   // Without coordinates where their number is not known yet.
@@ -85,7 +85,7 @@ Eigen::Vector<double, N> within(double reach, const Eigen::Vector<double, N>& st
 
 }  // namespace detail
 
-/// Whether what remains of the force at `place` is as little as it need be, or as lengths can resolve.
+/// Whether the residual force at `position` is below the limit, or below the resolution of lengths.
 template <int N>
 bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& position,
                  const SearchLimits& limits) {
@@ -126,8 +126,8 @@ SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, cons
 
 }  // namespace detail
 
-/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
-/// then the balance, `now` the imbalance there. Throws Cancelled.
+/// Follows `imbalance_at(position)`, an Imbalance<N>, to where the force vanishes. `position` holds the start
+/// and then the equilibrium, `now` the imbalance there. Throws Cancelled.
 template <int N, class Function>
 SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
                           Eigen::Vector<double, N>& position, Imbalance<N>& now) {

@@ -1,4 +1,4 @@
-// What concerns all lanes at once: is any true, what is their sum.
+// Operations over all lanes of a pack: any of a mask, sum.
 #pragma once
 
 #include "mechanics/packs/pack.hpp"
