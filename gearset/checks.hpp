@@ -30,8 +30,8 @@ Warnings tooth_warnings(const WorkingGeometry& geometry);
 double ring_tip_clearance(const InternalMesh& mesh);
 double ring_tip_clearance(const WorkingGeometry& geometry);
 
-/// What is wrong with the teeth of an external gear in mesh with another, but for undercut and contact ratio:
-/// tips of the other beyond the end of its involute or in its roots.
+/// Faults of the teeth of an external gear in mesh with another, except undercut and contact ratio: tips of
+/// the other beyond the end of its involute or in its roots.
 /// @param distance [m] of the axes
 /// @param working_angle [rad] transverse working pressure angle
 /// @param gear, other what both are called
@@ -39,8 +39,8 @@ void warn_of_external_mesh(const ExternalTooth& tooth, const ExternalTooth& mate
                            double working_angle, const std::string& gear, const std::string& other,
                            ToothWarnings& warnings);
 
-/// What is wrong with a ring and the gear inside it, but for undercut and contact ratio: tips beyond the end
-/// of an involute, in the roots or fouling each other.
+/// Faults of a ring and the gear inside it, except undercut and contact ratio: tips beyond the end of an
+/// involute, in the roots or fouling each other.
 /// @param inside what the gear inside is called
 void warn_of_internal_mesh(const InternalMesh& mesh, const std::string& inside, ToothWarnings& warnings);
 

@@ -57,7 +57,7 @@ void check_reaches(const WorkingGeometry& g, const std::string& inside, ToothWar
   check_ring_tip(g.ring, warnings);
 }
 
-// Shifted external gears come closer than the sum of their shifts asks.
+// Shifted external gears have a smaller centre distance than the sum of their shifts requires.
 void check_clearances(const WorkingGeometry& g, const std::string& inside, ToothWarnings& warnings) {
   const double a = g.centre_distance;
   warnings.clearance(a - g.sun.tip_radius - g.planet.root_radius, g.sun.module, "sun", "planet");

@@ -128,7 +128,7 @@ std::vector<Eigen::Vector2d> flank_points(const ExternalTooth& tooth, int points
 
 // Warnings of teeth that run all the same, for every kind of gear train.
 
-/// Where warnings go, and the key of the case that they concern.
+/// List of warnings, and the key of the case that they concern.
 struct ToothWarnings {
   std::string position;
   Warnings list;

@@ -25,7 +25,7 @@ Eigen::MatrixXd willis_matrix(const Arrangement& arrangement) {
   return weights;
 }
 
-// Of all sets, then shaft by shaft of grounds and of shafts that have the port.
+// Origins of all sets, then shaft by shaft of grounds and of shafts that have the port.
 std::vector<Origin> origins_of(const Arrangement& arrangement, bool Shaft::*port) {
   std::vector<Origin> origins;
   for (std::size_t set = 0; set < arrangement.sets.size(); ++set) origins.push_back({Origin::Kind::set, set});
@@ -211,7 +211,7 @@ void check_member(const Arrangement& arrangement, const SetMember& member, Probl
                         "each member once is required"});
 }
 
-/// What can be seen without solving anything.
+/// Problems found without a solution of the equations.
 Problems structural_problems(const Arrangement& arrangement) {
   Problems problems;
   check_ports(arrangement, problems);
@@ -305,7 +305,7 @@ void check_torque_freedom(const Arrangement& arrangement, const ArrangementSyste
 
 namespace {
 
-/// What only the equations of speeds and torques show.
+/// Problems found only by the equations of speeds and torques.
 Problems problems_of_motion(const Arrangement& arrangement) {
   Problems problems;
   const ArrangementSystem speeds = speed_system(arrangement);

@@ -20,8 +20,8 @@ struct Energy {
 /// Energy at `time` [s], without that of coupled bearings.
 Energy energy(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// What changes the energy; between jumps of the stiffness d energy / dt = input() - loss(). At a jump the
-/// stored energy itself jumps by 1/2 [k] approach^2.
+/// Powers that change the energy; between jumps of the stiffness d energy / dt = input() - loss(). At a jump
+/// the stored energy itself jumps by 1/2 [k] approach^2.
 struct PowerFlow {
   double drive = 0.0;      // [W]  driving and load torques, beyond those of the nominal rotation
   double stiffness = 0.0;  // [W]  of whoever changes the stiffness, 1/2 k' approach^2, or turns loaded teeth

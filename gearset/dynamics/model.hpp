@@ -10,8 +10,8 @@
 
 namespace orbearing::gearset::dynamics {
 
-// Where each variable of the planetary set stands in the flat state, and what it is called. No other file
-// knows.
+// Position of each variable of the planetary set in the flat state, and its name. This is the only file that
+// defines them.
 //
 //   positions [ sun x y u | ring x y u | carrier x y u | planet 1 x y u | ... ], then the same as velocities
 //

@@ -59,17 +59,17 @@ struct PlanetaryMeshes {
 
 /// @param held_race [m] radius of the race at which the planet is held, whose rim bends as a whole besides
 /// (gearset/rim): foundation by the elastic ring. None: held at its bore, as published models have it
-/// @param set whose planets stand where it can be assembled; of stepped ones the lags of the ring meshes have
-/// no meaning, since how far their gears are turned against each other is not known
+/// @param set whose planets are at positions where it can be assembled; of stepped ones the lags of the ring
+/// meshes have no meaning, since how far their gears are turned against each other is not known
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const BodyRatios& bodies, const mechanics::Material& material,
                                  const MeshMotion& motion, std::optional<double> held_race = {});
 
-/// Whether a gear's body lies outside the range of the polynomials of [Sainsot2004], and what the elastic
-/// ring gives in their place; none for a ring gear.
+/// Warning if a gear's body lies outside the range of the polynomials of [Sainsot2004], with the result of
+/// the elastic ring instead; none for a ring gear.
 /// @param tangent_length [m] on the gear, where the two are compared
-/// @param place of the case that states the body
+/// @param position of the body in the case
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
                              const std::string& position);
 Warnings foundation_warnings(const PlanetaryMeshes& meshes);

@@ -74,7 +74,7 @@ struct SpatialLoad {
   RotorLoad rotor;
 };
 
-/// What a case states of the carrier as a body: how the housing holds it, and what acts on it beside torque.
+/// The carrier as a body in a case: its support by the housing, and its loads besides torque.
 struct CarrierMounting {
   std::vector<double> positions;         // [m]    (bearings)  axial
   std::vector<double> radial_stiffness;  // [N/m]  (bearings)

@@ -236,7 +236,7 @@ double tip_tangent(const MeshGear& gear) {
       gear.tooth);
 }
 
-// Where the curves have corners, as shares of the window, ascending from 0 on.
+// Corners of the curves, as shares of the window, ascending from 0 on.
 std::vector<double> corners(const MeshingGears& gears, const MeshModifications& by, const Window& window) {
   std::vector<double> positions{window.begin};
   const auto add_position = [&](double position) {
@@ -287,7 +287,7 @@ double sound_deflection(const MeshingGears& gears, const MeshModifications& by, 
   return least;
 }
 
-// Of a planet and its mate.
+// Modifications of a planet and its mate.
 MeshModifications with_planet(const FlankModifications& set, double module, double relief, double crown,
                               double slope) {
   const double length = set.relief_length * module;

@@ -23,7 +23,7 @@ struct EdgeAtEnd {
 
 EdgeAtEnd edge_at(const MeshingGears& gears, PathEnd end);
 
-/// A pair of teeth at one place.
+/// A pair of teeth at one position.
 struct FlankGap {
   double gap = 0.0;     // [m]  along the line of action
   double first = 0.0;   // [m]  tangent lengths of the points that touch
@@ -32,12 +32,12 @@ struct FlankGap {
       true;  // false: an edge on the other gear's trochoid, whose normal is not the line of action
 };
 
-/// @param place [m] on the line of action, where the flanks would touch if they went on: in the path of
+/// @param position [m] on the line of action, where the flanks would touch if they went on: in the path of
 /// contact without a gap. Eqs. (1) to (3) of gearset/mesh/loaded/README.md.
 FlankGap flank_gap(const MeshingGears& gears, double position);
 
-/// Where the tip takes over from the foot of an undercut flank beyond an end of the path; the end itself
-/// where the tip ends the path. The gap has a corner there. [m]
+/// Position at which, beyond an end of the path, contact changes from the foot of an undercut flank to the
+/// tip; the end itself if the tip ends the path. The gap has a corner there. [m]
 double tip_takes_over(const MeshingGears& gears, PathEnd end);
 
 /// Tip relief of one gear.
@@ -47,7 +47,7 @@ struct TipRelief {
   ReliefForm form = ReliefForm::linear;
 };
 
-/// What flanks of one mesh depart from involutes by.
+/// Deviations of the flanks of one mesh from involutes.
 struct MeshModifications {
   TipRelief first;
   TipRelief second;
