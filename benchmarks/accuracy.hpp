@@ -34,7 +34,7 @@ struct Trial {
   MeanErrors errors(Method method, double tolerance);
 };
 
-/// What a search for a tolerance found.
+/// Result of a search for a tolerance.
 struct Fit {
   bool found = false;
   double tolerance = 0.0;  // [m]

@@ -12,7 +12,7 @@
 
 namespace orbearing::bench {
 
-/// What the integrators are compared by, over one run.
+/// Means over one run by which the integrators are compared.
 struct RunMeans {
   double inner_rms = 0.0;   // [N]      of one roller, over all rollers
   double outer_rms = 0.0;   // [N]
@@ -50,7 +50,7 @@ class Contest {
  public:
   explicit Contest(const Duty& duty);
 
-  /// Where the quasi-static bearing has rollers and rings.
+  /// State with the positions of rollers and rings of the quasi-static bearing.
   Eigen::VectorXd quasi_static_start() const;
   /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);

@@ -116,7 +116,7 @@ Json to_json(const Count& count) {
   return {{"steps", count.steps}, {"refused", count.refused()}};
 }
 
-// What a common step costs is told only by the same steps.
+// The cost of a common step is comparable only if the steps are the same.
 void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
   const Count together = run_together(variants, 1);
   if (together.steps != alone.steps || together.attempts != alone.attempts)

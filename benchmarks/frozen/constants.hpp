@@ -1,4 +1,4 @@
-// The constants of the frozen equations, read from the program's model: the one place where the frozen code
+// The constants of the frozen equations, read from the program's model: the only file where the frozen code
 // knows the program of today.
 #pragma once
 
