@@ -26,7 +26,7 @@ struct ElasticRace {
   bool is_rigid() const { return compliance.size() == 0; }
 };
 
-/// What a sweep changes: the load and the motion of the bearing.
+/// Operating point, which a sweep changes: the load and the motion of the bearing.
 struct OperatingPoint {
   CarrierMotion carrier;
   double inner_speed = 0.0;                             // [rad/s]  race of the pin, relative to the carrier

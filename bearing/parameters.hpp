@@ -1,5 +1,5 @@
-// What the user states about a bearing, of rollers or balls, and what lies around it. SI units throughout.
-// The rows beneath each structure say what its members are for (mechanics/described.hpp).
+// Parameters of a bearing, of rollers or balls, and of the parts around it. SI units throughout. The rows
+// below each structure state the purpose of its members (mechanics/described.hpp).
 #pragma once
 
 #include <cmath>

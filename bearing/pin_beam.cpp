@@ -54,7 +54,7 @@ PinSection pin_section_of(const PinBeam& pin) {
   return {pin.material.youngs_modulus * second, coefficient * pin.material.shear_modulus() * area};
 }
 
-// Of products of linear pieces: Simpson's rule is exact.
+// Integral of products of linear pieces: Simpson's rule is exact.
 template <class Integrand>
 double piecewise_integral(const std::vector<double>& breaks, Integrand&& of) {
   double sum = 0.0;
@@ -76,7 +76,7 @@ Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& po
       mechanics::require(pin.ends == PinEnds::flexpin || std::abs(position) < 0.5 * pin.span,
                          "position of a bearing on its pin [m]", position, "between the supports of the pin");
       loads.push_back({position + 0.5 * pin.span, moment});
-      // Of a flexpin moments and shear forces have no break but its ends.
+      // In a flexpin moments and shear forces have no break but its ends.
       if (pin.ends != PinEnds::flexpin) breaks.push_back(loads.back().position);
     }
   std::sort(breaks.begin(), breaks.end());

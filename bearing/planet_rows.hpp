@@ -33,7 +33,7 @@ constexpr described::Names<RowArrangement, 2> names_of(RowArrangement) {
   return {{{RowArrangement::back_to_back, "back-to-back"}, {RowArrangement::face_to_face, "face-to-face"}}};
 }
 
-/// What a case states of these bearings beside Bearing, whose rollers are those of one row.
+/// Rows of planet bearings in a case, in addition to Bearing, whose rollers are those of one row.
 struct PlanetRows {
   PlanetBearingType type = PlanetBearingType::cylindrical_roller;
   double contact_angle = 0.0;  // [rad]  between the normal of the outer race and the radial plane
@@ -47,7 +47,7 @@ struct PlanetRows {
   bool is_cylindrical() const { return type == PlanetBearingType::cylindrical_roller; }
   bool is_tapered() const { return type == PlanetBearingType::tapered_roller; }
   bool has_balls() const { return type == PlanetBearingType::deep_groove_ball; }
-  /// Of one bearing.
+  /// Rows of one bearing.
   int rows() const { return type == PlanetBearingType::spherical_roller ? 2 : 1; }
 };
 

@@ -131,7 +131,7 @@ struct Sliding {
   Number spin;               // [rad/s]  about the normal
 };
 
-/// What friction does to the ball; the opposite acts on the race at the same point.
+/// Friction on the ball; the opposite acts on the race at the same point.
 template <class Number>
 struct Traction {
   Number along{}, across{};                     // [N]

@@ -248,7 +248,7 @@ struct FrictionNumbers {
   InletHeatingScale<Number> heating;
 };
 
-/// What acts along the tangent of one race contact.
+/// Tangential forces of one race contact.
 template <class Number>
 struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   using FrictionNumbers<Number>::coulomb, FrictionNumbers<Number>::shear;

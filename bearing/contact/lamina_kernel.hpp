@@ -8,7 +8,7 @@ namespace orbearing::bearing::vectorised {
 inline constexpr int kLaminaPadding = 16;
 inline constexpr double kNoLamina = 1e9;  // [m]  a drop that no approach reaches
 
-/// With d = (approach + place * end displacement - drop) where that is positive, else 0:
+/// With d = (approach + position * end displacement - drop) where that is positive, else 0:
 struct LaminaSums {
   double load = 0.0;         // [m^(10/9)]  sum of d^(10/9)
   double end_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) place
@@ -17,11 +17,11 @@ struct LaminaSums {
   double by_end_displacement = 0.0;  // [m^(1/9)]  sum of d^(1/9) place^2
 };
 
-/// Places are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
+/// Positions are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
 struct LaminaKernel {
   LaminaSums (*sums)(const double* position, const double* drop, int count, double approach,
                      double end_displacement);
-  /// Of each lamina: d^(10/9) [m^(10/9)].
+  /// Load of each lamina: d^(10/9) [m^(10/9)].
   void (*loads)(const double* position, const double* drop, int count, double approach,
                 double end_displacement, double* load);
 };

@@ -14,7 +14,7 @@
 
 namespace orbearing::bearing::motion {
 
-/// Where both contacts of a roller stand, from which the loads of their laminae follow.
+/// Approaches of both contacts of a roller, which determine the loads of their laminae.
 struct LaminaStand {
   double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
   double outer_approach = 0.0;  // [m]

@@ -16,7 +16,7 @@ struct LandMotion {
   T cage_speed;              // [rad/s]
 };
 
-/// What film and touch-down do to cage and land.
+/// Forces of film and touch-down on cage and land.
 template <class T>
 struct LandForce {
   T x{}, y{};        // [N]    on the cage, opposite on the land

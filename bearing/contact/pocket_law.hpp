@@ -29,7 +29,7 @@ template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class S
 PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
     -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
 
-/// What a bar does to the roller; the opposite acts on the cage at its own arm.
+/// Force of a bar on the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
   Ahead ahead;                 // [N]    on the roller, along a
@@ -44,7 +44,7 @@ template <class Ahead, class Along, class RollerMoment, class CageMoment, class 
 PocketTouch(Ahead, Along, RollerMoment, CageMoment, Power, Sliding)
     -> PocketTouch<Ahead, Along, RollerMoment, CageMoment, Power, Sliding>;
 
-/// What the oil before both bars does to the roller; the opposite acts on the cage at its own arm.
+/// Force of the oil at both bars on the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power>
 struct PocketOil {
   Ahead ahead;                 // [N]    on the roller, along a

@@ -12,7 +12,7 @@ namespace orbearing::bearing {
 
 // Oil film of a line contact: Dowson-Higginson, capped where the rigid-isoviscous film takes over.
 
-/// What the film of one contact depends on besides load and speed.
+/// Data of one contact that determine its film, besides load and speed.
 struct FilmContact {
   double equivalent_radius = 0.0;  // [m]
   double length = 0.0;             // [m]

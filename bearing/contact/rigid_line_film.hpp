@@ -12,8 +12,8 @@
 //
 //   load = 2 eta l S^2 (u + k psi),   integral of eta l / h over the pressurised film = eta l S psi.
 //
-// Entrainment alone is the contact of [Martin1916], whose other outlet condition gives 4.896 in place of 4;
-// squeeze alone carries 3 sqrt(2) pi eta V l (R/g)^(3/2), as in [Hamrock2004], twice what it adds where
+// Entrainment alone is the contact of [Martin1916], whose other outlet condition gives 4.896 instead of 4;
+// squeeze alone carries 3 sqrt(2) pi eta V l (R/g)^(3/2), as in [Hamrock2004], twice its contribution if
 // rolling takes the oil away behind it.
 #pragma once
 
@@ -21,7 +21,7 @@
 
 namespace orbearing::bearing {
 
-/// What the film of a line contact gives.
+/// Forces of the film of a line contact.
 template <class Load, class Shear>
 struct LineFilm {
   Load load;    // [N]      pushes the surfaces apart, >= 0 but for round-off
@@ -50,8 +50,8 @@ struct RigidLineFilm {
   auto wedge(const Slenderness& s, const Speed& u) const {
     return viscous * (s * s) * u;
   }
-  /// What the closing speed `v` [m/s] adds to it [N], with the sign of `v`: where surfaces part, less than
-  /// what the wedge carries.
+  /// Load [N] that the closing speed `v` [m/s] adds, with the sign of `v`: if the surfaces separate, less
+  /// than the load of the wedge.
   template <class Slenderness, class Speed, class Closing>
   auto squeeze(const Slenderness& s, const Speed& u, const Closing& v) const {
     using mechanics::angle_of;

@@ -27,7 +27,7 @@ struct DefectDepth {
   Number bend{};   // [1/m]  slope of the slope
 };
 
-/// Sinking at even places from one edge to the other; between them cubics that share value and slope.
+/// Depths at equal distances from one edge to the other; between them cubics that share value and slope.
 struct DefectDepthTable {
   static constexpr int kPoints = 65;
 
@@ -43,7 +43,7 @@ struct ScratchLaw {
   DefectDepthTable table;  // of a profile: what an element sinks, whatever `bottom` and `deepest` say
 };
 
-/// Of depth 1 and width 1, at `s` widths from the middle.
+/// Depth of a scratch of depth 1 and width 1, at `s` widths from the middle.
 template <class Number>
 DefectDepth<Number> unit_depth(ScratchForm form, const Number& s) {
   using namespace mechanics;
@@ -148,8 +148,8 @@ struct RollerScratch {
   ScratchLaw on_outer;
 };
 
-/// What lies on a contact whose normal stands at the angle with `cosine` and `sine`: a scratch at the angle
-/// `scratch` [rad].
+/// Depth of a scratch at the angle `scratch` [rad], in a contact whose normal is at the angle with `cosine`
+/// and `sine`.
 template <class Number>
 TrackDepth<Number> depth_at(const ScratchLaw& law, double radius, double scratch, const Number& cosine,
                             const Number& sine) {

@@ -51,7 +51,7 @@ struct RigidPointLoad {
   Number shear;         // [N s/m]  of both surfaces against sliding
 };
 
-/// What closing adds to the load of the wedge, with slopes.
+/// Contribution of closing to the load of the wedge, with slopes.
 template <class Number>
 struct SqueezedPoint {
   Number load;        // [N]      with the sign of the closing speed
@@ -72,7 +72,7 @@ struct RigidPointFilm {
 
   bool present() const { return size > 0.0; }
 
-  /// Of radii `rx`, `ry` [m] that reaches as far as `wide_x`, `wide_y` [m] from its middle.
+  /// Film between bodies of radii `rx`, `ry` [m] that extends to `wide_x`, `wide_y` [m] from its middle.
   static RigidPointFilm between(double viscosity, double rx, double ry, double wide_x, double wide_y,
                                 double least_gap) {
     constexpr double kPi = 3.14159265358979323846;
@@ -98,7 +98,7 @@ struct RigidPointFilm {
     using namespace mechanics;
     return (size * entrained_x) * absolute(ux) * inverse_root(gap);
   }
-  /// What closing at `closing` [m/s] adds to it: where surfaces part, less than what the wedge carries.
+  /// Contribution of closing at `closing` [m/s]: if the surfaces separate, less than the load of the wedge.
   template <class Number>
   SqueezedPoint<Number> squeezed(const Number& gap, const Number& closing, const Number& ux) const {
     using namespace mechanics;
@@ -203,7 +203,7 @@ struct SqueezeFilm {
   }
 };
 
-/// What (2) gives in a contact of a ball, with its slopes. Those of film and share under load are left out.
+/// Load (2) in a contact of a ball, with its slopes. Those of film and share under load are left out.
 template <class Number>
 struct BallSqueeze {
   Number load;         // [N]      with the sign of the closing speed

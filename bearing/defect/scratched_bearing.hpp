@@ -108,7 +108,7 @@ struct RunUp {
   }
 };
 
-/// What does not change in time. Scratches are of one kind.
+/// Parameters that are constant in time. Scratches are of one kind.
 struct ScratchedBearing {
   Bearing bearing;
   VibratingRing ring;
@@ -118,7 +118,7 @@ struct ScratchedBearing {
   RunUp run_up;
 };
 
-/// Where the ring rests, and how it would vibrate there.
+/// Static equilibrium of the ring, and its natural frequency there.
 struct StaticPosition {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]  u, v
   Eigen::ArrayXd load;                              // [N]  (elements)
@@ -148,7 +148,7 @@ class ScratchedMotion {
 
   void rates(double time, const ConstState& x, Eigen::Ref<Eigen::VectorXd> dx) const;
 
-  /// Of one element, in the form that now holds.
+  /// Contact of one element, in the form that now holds.
   struct Contact {
     double angle = 0.0;           // [rad]
     double approach = 0.0;        // [m]

@@ -12,7 +12,7 @@
 
 namespace orbearing::bearing::duplex {
 
-/// What was measured on one preloaded pair.
+/// Measurement of one preloaded pair.
 struct Observation {
   std::array<double, 5> frequency{};                     // [Hz]  in the order of mode_kinds
   std::function<Stiffness(const RowLevers&)> stiffness;  // of that pair, by its levers

@@ -47,15 +47,15 @@ std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium
 
 namespace {
 
-// What holds the rows together: their approach, or a load.
+// Preload of the rows: their approach, or a load.
 struct Pressed {
   Pair pair;
   RingLoad load;
   RingPosition start = RingPosition::Zero();
 };
 
-// Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force at rest where
-// the shaft has moved by the approach.
+// The rows of a tandem are preloaded by an axial load of the shaft; it is found from the rows' own force at
+// rest with the shaft displaced by the approach.
 Pressed pressed(const Pair& pair, const RingLoad& load) {
   Pressed found{pair, load};
   if (pair.arrangement == Arrangement::tandem) {

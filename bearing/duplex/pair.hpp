@@ -38,7 +38,7 @@ struct RowLevers {
   double second = 0.0;
 };
 
-/// What a pair is; `bearing` is either of both.
+/// A pair of equal bearings; `bearing` is one of them.
 struct Pair {
   Bearing bearing;
   Arrangement arrangement = Arrangement::face_to_face;
@@ -61,12 +61,13 @@ struct PairState {
   std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, where the shaft balances
 };
 
-/// Where the shaft balances under `load` beside the preload. Of a tandem the preload is a load of twice its
+/// Equilibrium of the shaft under `load` and the preload. In a tandem the preload is a load of twice its
 /// approach_under along the shaft, which this function adds. Throws as RowGroup does.
 PairState balance_pair(const Pair& pair, const equilibrium::RingLoad& load = {});
 
-/// The same with the shaft turning: balls are thrown outward and held against their gyroscopic moments. Rows
-/// that face each other keep the approach with which they were mounted, those of a tandem their load.
+/// The same with a rotating shaft: balls have a centrifugal load and are held against their gyroscopic
+/// moments. Rows that face each other keep the approach with which they were mounted, those of a tandem their
+/// load.
 equilibrium::RingState balance_pair_at_speed(const Pair& pair, const equilibrium::RowMotion& motion,
                                              const equilibrium::RingLoad& load = {});
 

@@ -79,7 +79,7 @@ inline FacingRollers facing(const AlignedArray<RollerUnknown>& rollers, int coun
   return found;
 }
 
-/// Where a small force along the facing rollers' bisector holds the ring: both gaps are closed.
+/// Position in which a small force along the facing rollers' bisector holds the ring: both gaps are closed.
 inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) {
   Pack gap[2];
   for (int i = 0; i < 2; ++i)

@@ -16,7 +16,7 @@ namespace {
 
 using constants::two_pi;
 
-// Of the same lamina at the other end: profiles are computed from both sides.
+// Difference of equal laminae at both ends: profiles are computed from both sides.
 constexpr double kSameDrop = 1e-12;
 
 double same_drop(const std::vector<double>& drops) {

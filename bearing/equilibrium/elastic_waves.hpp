@@ -12,10 +12,10 @@ namespace orbearing::bearing {
 /// Number of coordinates; 0 of a rigid race.
 Eigen::Index wave_count(const ElasticRace& race);
 
-/// What is stated for the orders, for each wave.
+/// Expands values given by order to one value for each wave.
 Eigen::VectorXd waves_of_orders(const ElasticRace& race, const Eigen::ArrayXd& stated);
 
-/// How stiffly the race resists each wave [N/m], and where it stands without rollers [m].
+/// Stiffness of the race against each wave [N/m], and its waves without rollers [m].
 Eigen::VectorXd wave_stiffness(const ElasticRace& race);
 Eigen::VectorXd waves_at_rest(const ElasticRace& race);
 

@@ -150,13 +150,14 @@ class InclinedPlanet {
   bool tilt_ = false;
 };
 
-/// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and what the row does
-/// to the planet, mean.
+/// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and the mean load of
+/// the row on the planet.
 struct InclinedRowLoads {
   Eigen::ArrayXd inner_load;  // [N]
   Eigen::ArrayXd outer_load;  // [N]
   Eigen::ArrayXd rib_load;    // [N]  of tapered rollers on the inner ring's rib
-  /// Of cut contacts, else empty: [N] (laminae, positions), [rad] (positions) outward at the end along +z
+  /// Contacts cut into laminae, else empty: [N] (laminae, positions), [rad] (positions) outward at the end
+  /// along +z
   Eigen::ArrayXXd inner_lamina_load, outer_lamina_load;
   Eigen::ArrayXd roller_tilt;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the laminae, conjugate to the planet's tilt

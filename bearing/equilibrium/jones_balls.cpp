@@ -154,8 +154,8 @@ void JonesRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& 
     at.of(*this, position, ball);
     return at.on_ball;
   };
-  // Of the loads. Its square is what remains: little on the way, round-off in the end, when a step of the
-  // ring hardly moves the ball.
+  // Relative to the loads. The remaining error is its square: small during the search, round-off at the end,
+  // when a step of the ring hardly moves the ball.
   const double near = begun ? 1e-4 : 1e-7;
   const mechanics::SearchLimits limits{.reach = 0.2 * law_.outer.distance,
                                        .size = grooves.norm(),

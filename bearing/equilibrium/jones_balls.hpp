@@ -16,7 +16,7 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// What the motion of balls does to their balance.
+/// Effects of the motion of balls on their equilibrium.
 struct BallInertia {
   bool enabled = true;
   BallAttitude attitude = BallAttitude::minimum_friction;
@@ -48,7 +48,7 @@ void describe(Visitor& visit, BallInertia& m) {
 struct RowMotion {
   RingSpeeds speeds;
   BallInertia inertia;
-  std::optional<Lubricant> film{};  // whose film stands for Hertz's approach, film/spin_film.hpp
+  std::optional<Lubricant> film{};  // whose film replaces Hertz's approach, film/spin_film.hpp
 
   /// Whether it acts on balls. Else their row is that at rest.
   bool moves_balls() const { return !speeds.at_rest() && (inertia.enabled || film.has_value()); }
@@ -67,7 +67,7 @@ struct JonesBall {
   BallMotion<double> motion{};
 };
 
-/// What the balls of a row in motion have in common. Throws std::invalid_argument as BallRow does.
+/// Common constants of the balls of a row in motion. Throws std::invalid_argument as BallRow does.
 BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
 class JonesRow : public RingRow {
@@ -80,10 +80,10 @@ class JonesRow : public RingRow {
   bool follows_motion() const override { return !frozen_; }
   double lever() const override { return geometry_.lever(); }
   double reach(double load) const override;
-  /// Of a ball's forces and moment on the coordinates of the ring.
+  /// Derivatives of a ball's forces and moment by the coordinates of the ring.
   using RingActs = Eigen::Matrix<double, 5, 3>;
   RingActs acts_of(Eigen::Index ball) const;
-  /// Remembers where the balls came to rest, to begin there the next time.
+  /// Stores the equilibria of the balls as the start of the next search.
   void add_forces(const RingPosition& position, RingImbalance& sum) const override;
   void put_loads(const RingPosition& position, RingState& state) const override;
   /// Whether all balls found their balance the last time.

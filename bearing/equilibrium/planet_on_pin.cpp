@@ -182,7 +182,7 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
   return rings;
 }
 
-// Where each bearing would be displaced under its part of the load.
+// Displacement of each bearing under its part of the load: start of the search.
 Eigen::VectorXd start_of(const RaceEquilibrium& first, const Eigen::VectorXd& rest) {
   Eigen::VectorXd at = rest;
   at.head<2>() = first_displacement(first);
@@ -214,7 +214,7 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
   state.report.converged = state.report.converged && are_settled(one.rollers);
 }
 
-// What load and moment on the planet move, pin, waves and rollers following.
+// Displacements by load and moment on the planet, with pin, waves and rollers free.
 Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const FreeCoordinates& free,
                               const Eigen::MatrixXd& stiffness) {
   const double seats = static_cast<double>(planet.bearings.size());

@@ -15,12 +15,12 @@
 
 namespace orbearing::bearing {
 
-/// What belongs to the method or to the user's choice of effects.
+/// Settings of the method and selection of effects.
 struct QuasiStaticOptions {
   InertiaSwitches inertia;
   std::optional<Lubricant> film;  // lubricant whose film enters the approach; none: dry
   int cage_positions = 16;        // cage angles over one roller pitch that are averaged
-  double first_roller = 0.0;      // [rad]  place of the first roller at the first cage angle
+  double first_roller = 0.0;      // [rad]  position of the first roller at the first cage angle
   FilmApproach film_approach = FilmApproach::added;
 };
 
@@ -54,7 +54,7 @@ Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry&
 Eigen::Vector2d total_bore_load(const Bearing& bearing, const BearingGeometry& geometry,
                                 const OperatingPoint& point, const InertiaSwitches& inertia);
 
-/// What must balance with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
+/// Equilibrium problem with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
 /// load, a tilt or a speed is not finite.
 RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeometry& geometry,
                                      const OperatingPoint& point, const QuasiStaticOptions& options,

@@ -19,7 +19,7 @@ namespace laminae {
 class LaminaBearing;
 }
 
-/// What the races of one bearing must balance at one cage angle. Arrays are over rollers.
+/// Equilibrium problem of the races of one bearing at one cage angle. Arrays are over rollers.
 struct RaceEquilibrium {
   RollerContacts contacts;
   double clearance = 0.0;                          // [m]    diametral
@@ -44,18 +44,18 @@ struct SettlingRow {
 
   SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<laminae::RollerState>& states);
 
-  /// Settles roller `j` with the rings at `place` and adds what it does to them.
+  /// Converges roller `j` with the rings at `position` and adds its forces on them.
   void add(Eigen::Index j, const Eigen::Vector<double, N>& position, mechanics::Imbalance<N>& sum) const;
 
   const RaceEquilibrium* races;
   Moves outward;              // [-]  (coordinates, rollers)  how far each moves the outer race outward
   Moves tilting;              // [-]  the same of its end beyond its middle; empty: the tilt is stated
   Eigen::ArrayXd concentric;  // [m]  (rollers)  approach where all coordinates are zero
-  std::vector<laminae::RollerState>* rollers;  // where their searches start, and what they find
+  std::vector<laminae::RollerState>* rollers;  // start and result of their searches
 };
 
-/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (place - rest). A rigid
-/// ring by itself (N = 2) has no stiffness but its rollers'.
+/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (position - rest). A
+/// single rigid ring (N = 2) has no stiffness but its rollers'.
 template <int N>
 struct RingsOnRollers {
   using Position = Eigen::Vector<double, N>;
@@ -80,12 +80,12 @@ extern template struct SettlingRow<Eigen::Dynamic>;
 extern template struct RingsOnRollers<2>;
 extern template struct RingsOnRollers<Eigen::Dynamic>;
 
-/// Where a search for the displacement of the races begins, and how far it may go: the rollers under the load
-/// in contact, as far as one loaded roller asks.
+/// Start of a search for the displacement of the races, with the rollers under the load in contact, and
+/// limits of the search.
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem);
 mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 
-/// Puts angles, loads and moment of the rollers that settled in a balance.
+/// Stores angles, loads and moment of the rollers of an equilibrium.
 void put_rollers(const RaceEquilibrium& problem, std::vector<laminae::RollerState> rollers,
                  QuasiStaticState& state);
 

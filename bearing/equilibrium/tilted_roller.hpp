@@ -25,7 +25,7 @@ struct TiltedRoller {
   double taper_cosine = 1.0;
 };
 
-/// What the races and the frame do to one roller.
+/// Approach of the races and inertial load of one roller.
 struct RollerSetting {
   double approach = 0.0;                // [m]  of the races in the middle
   double inner_end_displacement = 0.0;  // [m]  of the inner race
@@ -33,7 +33,7 @@ struct RollerSetting {
   double inertial_load = 0.0;           // [N]  outward, in the middle: outer load - inner load
 };
 
-/// Where a roller settles. Start of the next search as well as its result.
+/// Equilibrium of a roller. Start of the next search as well as its result.
 struct RollerState {
   bool known = false;             // false: no earlier state to start from
   double taper_cosine = 1.0;      // [-]  as of the roller

@@ -43,7 +43,7 @@ struct BearingSize {
   double mean_diameter() const { return 0.5 * (bore + outside); }  // [m]  d_m
 };
 
-/// What the formulas ask of the operation.
+/// Operating condition in the formulas.
 struct TorqueCondition {
   double speed = 0.0;      // [rad/s]  of the rings against each other
   double viscosity = 0.0;  // [m^2/s]  kinematic, at running temperature
@@ -66,9 +66,9 @@ struct TorqueFactors {
   double load = 0.0;            // [N]  P_1
 };
 
-/// Of an oil bath, by series, as a maker's catalogue has them [Schaeffler2012].
+/// Factors for an oil bath, by series, as in a catalogue [Schaeffler2012].
 TorqueFactors palmgren_factors(const BearingSize& size, const TorqueCondition& at);
-/// By type alone [ISOTR14179].
+/// By type only [ISOTR14179].
 TorqueFactors gear_unit_factors(const BearingSize& size, const TorqueCondition& at);
 /// Eqs. (1) and (2).
 PartedTorque parted_torque(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at);

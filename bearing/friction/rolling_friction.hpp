@@ -54,14 +54,14 @@ struct RollingFriction {
   RollingFriction& operator*=(double factor);
 };
 
-/// Where the oil before a contact of rollers begins.
+/// Beginning of the oil before a contact of rollers.
 enum class InletEnd {
   none,         // anywhere
   layer,        // at the layer of all oil of the mixture, oil_layer()
   replenished,  // where as much leaves as returns, replenishment.hpp
 };
 
-/// What differs from isothermal oil without end.
+/// Deviations from isothermal oil without end.
 struct Inlets {
   double viscosity_slope = 0.0;   // [1/K]  by which the viscosity falls; 0: isothermal
   InletEnd end = InletEnd::none;  // of rollers

@@ -19,13 +19,13 @@ struct EquivalentBallLoads {
   double outer = 0.0;  // [N]
 };
 
-/// One race turns relative to the load, the other stands.
+/// One race rotates relative to the load, the other is stationary.
 inline RaceMotions rotating(Race race) {
   if (race == Race::inner) return {};
   return {.inner = RaceMotion::stationary, .outer = RaceMotion::rotating};
 }
 
-/// What the ratings know of a radial ball bearing.
+/// Data of a radial ball bearing for its ratings.
 struct BallSet {
   int rows = 1;                    // [-]
   int balls = 0;                   // [-]    in one row

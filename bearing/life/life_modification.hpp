@@ -39,7 +39,7 @@ enum class Cleanliness { highest, high, medium, low, lowest };
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
 
-/// What a_ISO needs beside the loads.
+/// Input of a_ISO besides the loads.
 struct OilCondition {
   double viscosity_ratio = 0.0;       // [-]  kappa: viscosity at running temperature over the required one
   double contamination_factor = 0.0;  // [-]  e_C

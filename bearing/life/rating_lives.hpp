@@ -108,29 +108,29 @@ inline constexpr std::array kRatedHours{&RatedHours::basic, &RatedHours::referen
 
 /// At the speed of the race that rotates relative to the load [rad/s]; infinite at rest.
 RatedHours rated_hours(const RatingLives& lives, double speed);
-/// Of bearings of which none may fail: the product law with slope e, life by life.
+/// Life of a system of bearings of which none may fail: the product law with slope e, life by life.
 RatedHours hours_together(const std::vector<RatedHours>& bearings, double slope);
-/// Of `count` equal bearings.
+/// Life of a system of `count` equal bearings.
 RatedHours hours_of_equal(const RatedHours& one, int count, double slope);
 
-/// Of rollers: means over the positions as in life::lamina_means(), for loads without stress riser; one
-/// lamina: contacts that are not cut.
+/// Lives of roller bearings: means over the positions as in life::lamina_means(), for loads without stress
+/// riser; one lamina: contacts that are not cut.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means);
 
-/// Of balls: equivalent loads over the positions, exponent 3 on the race that rotates relative to the load,
-/// 10/3 on the stationary one.
+/// Lives of ball bearings: equivalent loads over the positions, exponent 3 on the race that rotates relative
+/// to the load, 10/3 on the stationary one.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const EquivalentBallLoads& loads);
 
-/// Of either: loads of the elements on both races at one instant.
+/// Lives of either type: loads of the elements on both races at one instant.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const ElementLoads& inner, const ElementLoads& outer);
 
 /// The lives of one bearing that results hold.
 enum class Life { basic, reference, modified, modified_reference, lundberg_palmgren };
 
-/// The life that governs: requirements, peaks, spectra, crowns and sensitivities go by it.
+/// The governing life: requirements, peaks, spectra, crowns and sensitivities use it.
 constexpr Life governing_life(LifeMethod method, bool oil_is_stated) {
   if (method == LifeMethod::lundberg_palmgren) return Life::lundberg_palmgren;
   if (method == LifeMethod::iso281) return oil_is_stated ? Life::modified : Life::basic;

@@ -40,8 +40,8 @@ double land_speed(const BearingModel& model) {
   return model.land.on_bore ? model.point.outer_speed : model.point.inner_speed;
 }
 
-// Where `f`, which falls, is zero, within [least, most]; beyond them the nearer one. From `guess` outwards by
-// steps that double, then by regula falsi with halved values.
+// Zero of the falling function `f` within [least, most]; beyond them the nearer bound. From `guess` outwards
+// by steps that double, then by regula falsi with halved values.
 template <class Function>
 double falling_root(const Function& f, double guess, double step, double least, double most, double error) {
   double low = guess, high = guess, at_low = f(guess), at_high = at_low;
@@ -133,7 +133,7 @@ struct Guided {
   double moment = 0.0;               // [N m]  of the land about the cage's axis
 };
 
-// Where film and touch-down hold `load` [N].
+// Position of the cage at which film and touch-down hold `load` [N].
 Guided guided(const BearingModel& model, const Vector2& load, double speed) {
   if (!model.land.present) return {};
   const LandLaw& law = model.land.law;

@@ -1,4 +1,4 @@
-// Where a bearing begins whose bore stands where others put it.
+// Start of a bearing whose bore has a prescribed position.
 #pragma once
 
 #include "bearing/motion/bore_motion.hpp"
@@ -6,7 +6,7 @@
 
 namespace orbearing::bearing::motion {
 
-/// Balance of the pin ring on its support between rollers, each in balance by itself.
+/// Equilibrium of the pin ring on its support between rollers, each of which is in equilibrium.
 struct PinBalance {
   Vector2 bore = Vector2::Zero();  // [m]
   Vector2 pin = Vector2::Zero();  // [m]
@@ -18,8 +18,9 @@ struct PinBalance {
 PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
 
-/// The same with the bore too in balance, under `load` [N] of the planet on it; its position in `motion` is not
-/// asked for. The energy is convex in all coordinates. Without load it stays where it is free to move.
+/// The same with the bore in equilibrium as well, under `load` [N] of the planet on it; its position in
+/// `motion` is not used. The energy is convex in all coordinates. Without load it stays where it is free to
+/// move.
 PinBalance balance_pin_and_bore(const Bearing& bearing, const BearingModel& model,
                                 const DynamicsParameters& parameters, const BoreMotion& motion,
                                 double first_roller, const Vector2& load);

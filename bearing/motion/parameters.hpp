@@ -1,5 +1,5 @@
-// What the motion in time needs beyond the quasi-static bearing. Every default is an assumption; its reason
-// stands in the row beneath, or beside the member where no case states it.
+// Parameters of the motion in time in addition to those of the quasi-static bearing. Every default is an
+// assumption; its reason is in the row below, or at the member where no case states it.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
            {TractionLaw::ree_eyring, "ree-eyring"}}};
 }
 
-/// What a traction model works with; the checks, the inputs used and the equations follow from it.
+/// Nature of a traction model; the checks, the inputs used and the equations follow from it.
 struct TractionNature {
   bool of_rollers;  // rollers have it; balls have all
   bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
@@ -81,7 +81,7 @@ constexpr described::Names<FilmReduction, 2> names_of(FilmReduction) {
   return {{{FilmReduction::none, "none"}, {FilmReduction::gupta, "gupta"}}};
 }
 
-/// What is left of the rolling resistance where inlets find less oil than flooded ones.
+/// Reduction of the rolling resistance where inlets are not flooded.
 enum class Starvation {
   none,         // flooded; of rollers at rest as far as all oil of the mixture reaches
   skf,          // factor of an oil jet or a low bath, friction/published_torque.hpp [SKF6000]
@@ -102,7 +102,7 @@ constexpr described::Names<PressureLaw, 2> names_of(PressureLaw) {
   return {{{PressureLaw::barus, "barus"}, {PressureLaw::roelands, "roelands"}}};
 }
 
-/// What the damping of a race contact acts on.
+/// Velocity on which the damping of a race contact acts.
 enum class DampingLaw {
   approach_speed,      // [HuntCrossley1975]
   literature_variant,  // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness;
@@ -494,7 +494,7 @@ struct LoadHarmonic {
   Eigen::Vector2d sine = Eigen::Vector2d::Zero();    // [N]
 };
 
-/// What the meshes add to the mean load on the bore as their teeth pass, as a Fourier series.
+/// Variation of the mesh loads on the bore about their mean as the teeth pass, as a Fourier series.
 struct MeshExcitation {
   double angular_frequency = 0.0;       // [rad/s]  of tooth engagement
   std::vector<LoadHarmonic> harmonics;  // in rising order

@@ -40,7 +40,7 @@ struct StripFarField {
   static constexpr double from = 6.0;  // [-]  |x|/b, from where the influence errs by less than 1e-7
 };
 
-/// What changes with the widths b of the strips. Pairs of unlike widths act as two of the width
+/// Matrices that depend on the widths b of the strips. Pairs of unequal widths act as two of the width
 /// sqrt((b_i^2 + b_j^2)/2): the mean of (y - y')^2 is then exact, and the matrix symmetric.
 struct StripMatrices {
   Eigen::MatrixXd

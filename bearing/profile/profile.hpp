@@ -1,4 +1,4 @@
-// What is asked of a profile, whatever its kind (bearing/profile/shapes.hpp).
+// Functions of a profile of any kind (bearing/profile/shapes.hpp).
 #pragma once
 
 #include <string>
@@ -132,11 +132,11 @@ void require_sound(const Profile& profile);
 
 // Logarithmic profiles for a load: the relief that gives an even line load on an elastic half-space.
 
-/// Where a profile's drop is stated, as a share of half the length: the middle of the outermost of 40
-/// laminae. The ends themselves are no good place, for logarithmic profiles are steepest there.
+/// Position at which a profile's drop is stated, as a share of half the length: the middle of the outermost
+/// of 40 laminae. The ends themselves are not suitable, since logarithmic profiles are steepest there.
 inline constexpr double kDropPosition = 39.0 / 40.0;
 
-/// What a logarithmic profile is laid out for.
+/// Design load of a logarithmic profile.
 struct DesignLoad {
   double load = 0.0;               // [N]  Q of one roller on one race
   double length = 0.0;             // [m]  l

@@ -8,7 +8,7 @@
 
 namespace orbearing::bearing::film {
 
-/// What a film is made of.
+/// Properties of the oil of a film.
 struct ReynoldsOil {
   double viscosity = 0.0;           // [Pa s]  dynamic, at atmospheric pressure
   double pressure_viscosity = 0.0;  // [1/Pa]  0: the same viscosity at every pressure

@@ -348,7 +348,7 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
 
   const double ea = a * a / (hertz.a * hertz.a), eb = a * a / (hertz.b * hertz.b);
   std::array<double, 3> ellipse{ea * c * c + eb * s * s, 2.0 * (eb - ea) * s * c, ea * s * s + eb * c * c};
-  // Where the film is much thicker than the bodies sink, pressure is as wide as the film's wedge.
+  // If the film is much thicker than the elastic deflection, the pressure is as wide as the film's wedge.
   const double wide = std::max(1.0, 0.2 * far);
   for (double& one : ellipse) one /= wide * wide;
   PointFilm result;

@@ -82,11 +82,11 @@ class PointFilmLevel {
   void relax(double rigid);
   /// Newton's method on the whole grid, with H_0. Returns the last change of pressure, mean over mean.
   double solve(double& rigid, int most, double enough);
-  /// Share of oil where there is no pressure, carried along by the surfaces; it counts from then on. After
-  /// [ElrodAdams1975]: oil has a pressure or a share below 1, and its mass is kept in both.
+  /// Share of oil where there is no pressure, carried along by the surfaces; it is included from then on.
+  /// After [ElrodAdams1975]: oil has a pressure or a share below 1, and its mass is conserved in both.
   void carry_oil();
-  /// What is not kept of the oil that passes the middle of the contact: by Reynolds' equation where it holds,
-  /// and anywhere once the shares of oil are known.
+  /// Mass errors of the oil that passes the middle of the contact: by Reynolds' equation where it holds, and
+  /// everywhere once the shares of oil are known.
   struct Balance {
     double residual = 0.0;
     double lost = 0.0;

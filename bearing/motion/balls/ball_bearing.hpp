@@ -118,9 +118,10 @@ class BallBearing {
   std::vector<double> last_x_, last_rate_;
 };
 
-/// Where a run begins: the inner ring displaced as the static bearing under its load is, the outer one in
-/// place (the other way round where the inner ring is held and the outer one free), balls between them, the first at the angle `first` [rad]; balls and cage turn as at pure rolling,
-/// times `share` of it. Throws std::invalid_argument as balance_bearing().
+/// Start of a run: the inner ring is displaced as in the static equilibrium under its load, the outer one is
+/// not displaced (the other way round where the inner ring is held and the outer one free). Balls are between
+/// them, the first at the angle `first` [rad]. Balls and cage turn as at pure rolling, times `share` of it.
+/// Throws std::invalid_argument as balance_bearing().
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first,
                                 double share = 1.0);
 

@@ -237,7 +237,7 @@ DragNumbers drag(const Bearing& bearing, const MotionParameters& parameters) {
   const motion::OilDragParameters& given = parameters.drag;
   if (!given.on) return {};
   const double density = given.oil_share * given.oil_density, diameter = bearing.balls().diameter;
-  // What the cage does not hide of the ball, Eq. (29).
+  // Section of the ball outside of the cage, Eq. (29).
   const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
   const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);

@@ -219,7 +219,7 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
   }
 }
 
-// Of the film's load, the same for places alone.
+// The same for the film's load, by positions only.
 inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns, const double* cage,
                                  const Triple<Pack>& own, const Mask& here, double* rows,
                                  BallWrench<Pack>& sum) const {

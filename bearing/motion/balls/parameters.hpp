@@ -1,5 +1,5 @@
-// What the motion of a ball bearing needs beyond that of a roller bearing. Every default is an assumption;
-// its reason stands in the row beneath.
+// Parameters of the motion of a ball bearing in addition to those of a roller bearing. Every default is an
+// assumption; the row below states its reason.
 #pragma once
 
 #include "bearing/motion/parameters.hpp"
@@ -79,7 +79,7 @@ constexpr described::Names<OilMotion, 2> names_of(OilMotion) {
   return {{{OilMotion::carried, "carried"}, {OilMotion::at_rest, "at-rest"}}};
 }
 
-/// Where the share of oil in the free volume is from.
+/// Source of the share of oil in the free volume.
 enum class OilFill {
   stated,  // lubricant.share
   parker,  // by flow, speed and size [Parker1984], mixture.hpp

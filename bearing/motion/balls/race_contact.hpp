@@ -39,7 +39,7 @@ struct SeenSpots {
   SeenSpot<Number> spot[SpotNumbers::kMost];
 };
 
-/// What they do to a contact.
+/// Effect of the spots on a contact.
 template <class Number>
 struct SpotTouch {
   Number depth{};           // [m]
@@ -101,7 +101,7 @@ SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const SeenSpo
   return sum;
 }
 
-/// What passes in one contact.
+/// Forces, motion and losses of one contact.
 template <class Number>
 struct RaceTouch {
   BallWrench<Number> on_ball;
@@ -116,7 +116,7 @@ struct RaceTouch {
   Number damping_power{}, sliding_power{}, spin_power{}, differential_power{}, rolling_power{};  // [W]
 };
 
-/// What scratches of the race do to a contact.
+/// Depth of the scratches of the race at a contact.
 template <class Number>
 struct ElementDepth {
   Number depth{};     // [m]
@@ -242,7 +242,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
                             only(loaded, traction.turn_across + rolling_moment)};
   touch.on_ball.force =
       scaled(force[0], axes.normal) + scaled(force[1], axes.along) + scaled(force[2], axes.across);
-  // Where the floor slopes the load pushes the ball along.
+  // If the floor is inclined, the load pushes the ball along.
   if (groove.scratch.count > 0)
     touch.on_ball.force += scaled(load * scratched.by_angle * per_away, axes.along);
   if (spots.count > 0) touch.on_ball.force += scaled(load, spotted.force);

@@ -1,5 +1,5 @@
-// What a version of the vectorised bearing for one instruction set offers. No header of a library here, since
-// files compiled for special instruction sets include it.
+// Interface of the vectorised bearing for one instruction set. No header of a library here, since files
+// compiled for special instruction sets include it.
 #pragma once
 
 #include "bearing/motion/vectorised/constants.hpp"
@@ -51,7 +51,7 @@ struct ContactLoads {
       nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
 };
 
-/// What each roller brings along, lanes() entries each.
+/// Constants of each roller, lanes() entries each.
 struct RollerConstants {
   const double* pocket_cosine;  // [-]  of the pocket's angle from the first
   const double* pocket_sine;    // [-]
@@ -64,7 +64,7 @@ struct RaceTurn {
   double turned = 0.0;  // [rad]  since the start
 };
 
-/// What is prescribed at one instant.
+/// Prescribed motions and loads at one instant.
 struct Surroundings {
   CarrierFrame frame;
   RaceTurn pin;
@@ -83,22 +83,23 @@ struct Surroundings {
   constants.gravity = now.gravity;
 }
 
-/// What rollers and land do to the bore.
+/// Forces of rollers and land on the bore.
 struct BoreForces {
   double x = 0.0, y = 0.0;  // [N]
   double moment = 0.0;      // [N m]  about its axis
 };
 
-/// Slopes of the force on the bore by its own place [N/m] and velocity [N s/m], all else held; rows x and y.
+/// Slopes of the force on the bore by its own position [N/m] and velocity [N s/m], all else held; rows x and
+/// y.
 struct BoreSlopes {
   double by_position[2][2]{};
   double by_velocity[2][2]{};
 };
 
-/// What is left of the bearing for a stage of the bore once all else is eliminated: force and moment on the
-/// bore in g J k are reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and of its
-/// rotation [rad/s^2], and `reduced` from Engine::reduce. Row and column of the rotation are zero where it is
-/// left out.
+/// Matrix of the bearing for a stage of the bore once all else is eliminated: force and moment on the bore in
+/// g J k are reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and of its rotation
+/// [rad/s^2], and `reduced` from Engine::reduce. Row and column of the rotation are zero where it is left
+/// out.
 struct PortMatrix {
   double a[3][3]{};  // [kg], [kg m], [kg m^2]
 };

@@ -26,7 +26,7 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   return change;
 }
 
-/// What the neighbours' shifts and the rollers' own change in the forces between them, added.
+/// Adds the changes of the forces between neighbours by their shifts and the rollers' own.
 inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
                                      Pack& moment) const {
   const RollerPack& at = linear_[p];
@@ -211,7 +211,7 @@ void PackEngine::complete_rollers(const double* rhs, const double (&b)[kOpenUnkn
     store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
     if (layout_.tilting) tilt_rollers(p, rhs, shift, b, k);
   }
-  // What rollers have turned is no part of J: the order does not ask for it.
+  // The turning of rollers is no part of J: the order does not require it.
   for (int i = layout_.turned(); i < layout_.end(); ++i) k[i] = rhs[i];
   complete_waves(rhs, k);
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;

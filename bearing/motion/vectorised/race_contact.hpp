@@ -185,7 +185,7 @@ TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x,
   return t;
 }
 
-/// What the laws give in a motion.
+/// Loads and slopes of the laws at one motion.
 struct RaceLoads {
   PackPair elastic_approach, elastic_load;       // [m], [N]  in the middle of the contact
   PackPair load;                                 // [N]  >= 0, with damping and squeeze
@@ -201,7 +201,7 @@ struct ElasticLoad {
   LoadSlope load;
 };
 
-/// Adds what the oil that is pressed out gives to `x`, in which the elastic load with its damping stands.
+/// Adds the squeeze film to `x`, which holds the elastic load with its damping.
 template <bool WithSlopes>
 void add_squeeze(const RacePair& race, const RaceMotion& m, const ElasticLoad& e, const PackPair& log_speed,
                  RaceLoads& x) {

@@ -176,7 +176,7 @@ struct LoadSlope {
   PackPair slope;
 };
 
-/// Of a straight roller.
+/// Load of a straight roller.
 inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
   const PackPairMask touching = e.value > 0.0;
   const PackPair stiffness = only(touching, race.stiffness * e.ninth);
@@ -188,7 +188,7 @@ inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
 using namespace mechanics::ORBEARING_PACKS;
 
 /// Sums over the laminae of both contacts of each roller, d being the approach of a lamina: of d^(10/9), of
-/// d^(1/9), and of both times the place and its square.
+/// d^(1/9), and of both times the position and its square.
 struct LaminaPackSums {
   PackPair load{}, end_load{};
   PackPair by_approach{}, mixed{}, by_end_displacement{};
