@@ -75,11 +75,11 @@ void describe(Visitor& visit, SpinFilm& m) {
           input(m.points, "points", "loads and motions for which the film is computed"));
 }
 
-/// What of a machine does not fit together.
+/// Inconsistencies of the inputs.
 mechanics::Problems problems(const SpinFilm& machine);
 
-/// Central film of a line, over a step of its grid squared, below which the grid does not tell it: its least
-/// film is some tenths too thin there.
+/// Central film of a line, over a step of its grid squared, below which the grid does not resolve it: its
+/// least film is some tenths too thin there.
 inline constexpr double least_film_in_steps = 60.0;
 
 struct FilmPoint {

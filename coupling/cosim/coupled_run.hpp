@@ -1,4 +1,4 @@
-// A co-simulation: sides that move over windows in turn, and what it took.
+// A co-simulation: sides that move over windows in turn, and its cost.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace orbearing::cosim {
 
-// What to expect next of the end of a window, once a pass has given the output of the last expectation.
+// Next expectation for the end of a window, after a pass has given the output of the last expectation.
 
 /// State of an iteration: IQN-ILS, least squares over all outputs of this window and the last ones
 /// [Degroote2009]. Eqs. (9) and (10) of README.md.
@@ -58,7 +58,7 @@ struct CoupledOptions {
   double balanced_change = 1e-9;  // [-]  of the largest force: good enough
 };
 
-/// What a case states of it.
+/// Co-simulation in a case.
 template <class Visitor>
 void describe(Visitor& visit, CoupledOptions& m) {
   using namespace described;

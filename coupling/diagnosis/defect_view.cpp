@@ -19,7 +19,7 @@ using constants::two_pi;
 
 constexpr Eigen::Index kReach = 32;  // samples to each side
 
-// Of what the samples hold at `place`, counted in samples.
+// Interpolated signal at `position`, counted in samples.
 double between(const Eigen::ArrayXd& signal, double position) {
   const auto nearest = static_cast<Eigen::Index>(std::floor(position));
   const Eigen::Index from = std::max<Eigen::Index>(0, nearest - kReach + 1);
@@ -33,7 +33,8 @@ double between(const Eigen::ArrayXd& signal, double position) {
   return sum;
 }
 
-// Where the angle is `wanted`: within the samples after `k` by the parabola through three of them.
+// Position at which the angle is `wanted`: within the samples after `k` by the parabola through three of
+// them.
 double position_of(const Eigen::ArrayXd& angle, Eigen::Index k, double wanted) {
   const Eigen::Index middle = std::clamp<Eigen::Index>(k, 1, angle.size() - 2);
   const double slope = 0.5 * (angle[middle + 1] - angle[middle - 1]);

@@ -27,8 +27,8 @@ constexpr double kNear = 1.5;        // a resonance at a speed further off by th
 // smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
 constexpr double kSpeedRatio = 1.2;
 constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
-// Of a meeting's speed: a bearing's stiffness falls within less where a roller leaves its load, and the mode
-// with it.
+// Speed step beside a meeting, over its speed [-]: a bearing's stiffness falls within less if a roller loses
+// its load, and the frequency of the mode with it.
 constexpr double kBeside = 1e-4;
 
 // Modes of one kind at one frequency of the set at rest. At speed a group of several splits.

@@ -1,4 +1,4 @@
-// Where harmonics of the mesh frequency meet natural frequencies of a gear set.
+// Resonances: intersections of the harmonics of the mesh frequency with natural frequencies of a gear set.
 #pragma once
 
 #include <functional>

@@ -19,9 +19,9 @@ struct Spectrum {
 
 enum class Window { none, hann };
 
-/// Of the signal less its mean. Amplitudes are those of lines far apart whatever the window; without one half
-/// the sum of their squares is the mean square of the signal (Parseval), but for the last line of an even
-/// number of samples, which counts twice.
+/// Spectrum of the signal less its mean. Amplitudes are those of lines far apart whatever the window; without
+/// one half the sum of their squares is the mean square of the signal (Parseval), but for the last line of an
+/// even number of samples, which counts twice.
 Spectrum spectrum_of(const Eigen::ArrayXd& signal, double rate, Window window);
 
 /// Frequencies of a band [Hz].

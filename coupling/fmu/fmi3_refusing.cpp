@@ -31,7 +31,7 @@ constexpr const char* kNoExchange = "found a call of model exchange; required: c
 
 extern "C" {
 
-// Of what they are given they use the instance and the length of a list.
+// The functions use only the instance and the length of a list.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define ORBEARING_ONLY_EMPTY(result, name, arguments) \

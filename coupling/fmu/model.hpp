@@ -47,7 +47,7 @@ struct Variable {
 /// Time, parameters, constants, inputs, outputs.
 std::vector<Variable> variables_of(const ModelFacts& facts);
 
-/// Of the first variable of `role`; those of one role follow each other.
+/// Reference of the first variable of `role`; those of one role follow each other.
 std::uint32_t first_reference(const std::vector<Variable>& variables, Role role);
 
 /// The model as one word, "{8-4-4-4-12}" in hexadecimal digits: a hash of variables, numbers and version.

@@ -110,7 +110,7 @@ class DenseRun {
     }
   }
   double last_step() const { return stepper_.current_time() - stepper_.previous_time(); }
-  /// Of the output times up to `time` that were not shown yet.
+  /// Shows the output times up to `time` that were not shown yet.
   void show_until(double time) {
     for (; sample_ <= output_.samples && output_.time(sample_) <= time; ++sample_) {
       if (!observe_) continue;

@@ -31,7 +31,7 @@ class PiecesRun : public DenseRun {
         system_{system},
         wanted_step_(options.step) {}
 
-  /// That the error allows, whatever ends of pieces cut short [s].
+  /// Step that the error allows, without the cut at the ends of pieces [s].
   double next_step() const { return wanted_step_; }
 
   /// From `begin` to `end`; false where the run was given up.

@@ -1,4 +1,4 @@
-// What is asked of an integration of x' = f(t, x), and what it reports.
+// Options of an integration of x' = f(t, x), and its report.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,9 +6,10 @@
 
 namespace orbearing::integration {
 
-/// What a step's length follows: the error of the last step alone, or also that of the one before, which
-/// tells whether errors rise (proportional and integral control). The latter is for motion without impacts,
-/// where one error says something of the next; steps then may grow faster, and fewer are refused.
+/// Rule for the length of a step: by the error of the last step only, or also by that of the one before,
+/// which shows whether errors rise (proportional and integral control). The latter is for motion without
+/// impacts, where the error of one step predicts that of the next; steps then may grow faster, and fewer are
+/// refused.
 enum class StepRule { last_error, two_errors };
 
 /// Step lengths 0.85 h / error^(1/p) for a stepper of order p, or 0.85 h before^(0.2/p) / error^(0.6/p) by
@@ -20,8 +21,8 @@ class StepControl {
   explicit StepControl(double longest_step, int order = 2, StepRule rule = StepRule::last_error)
       : longest_step_(longest_step), order_(order), rule_(rule) {}
 
-  /// The step to try after one of `h` was accepted [same unit]. One that was shorter than asked for, at the
-  /// end of a window, says nothing of whether errors rise.
+  /// The step to try after one of `h` was accepted [same unit]. One that was shorter than intended, at the
+  /// end of a window, does not show whether errors rise.
   double after_acceptance(double h, double error) {
     const double most = refused_ ? 1.0 : rule_ == StepRule::last_error ? kMostGrowth : kMostGrowthByTwo;
     refused_ = false;

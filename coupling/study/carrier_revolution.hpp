@@ -1,5 +1,5 @@
-// What the planet bearings carry over a revolution of the carrier, which its own bearings hold in the
-// housing: gravity turns once a revolution in its frame, and clearance lets it sag and tilt.
+// Loads of the planet bearings over a revolution of the carrier on its own bearings in the housing: gravity
+// turns once a revolution in its frame, and clearance lets it sag and tilt.
 #pragma once
 
 #include <Eigen/Core>
@@ -102,8 +102,8 @@ gearset::spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain,
                                        const gearset::dynamics::SetParameters& bodies,
                                        double base_helix_angle);
 
-/// Of a drivetrain with a carrier_mounting and a gear_set. Rollers are computed under the load and the tilt
-/// of their bearing at each of some angles.
+/// Loads of a drivetrain with a carrier_mounting and a gear_set. Rollers are computed under the load and the
+/// tilt of their bearing at each of some angles.
 /// @throws std::runtime_error where no balance is found
 CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
                                      const DrivetrainGeometry& geometry,

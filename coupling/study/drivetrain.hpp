@@ -95,7 +95,7 @@ constexpr described::Names<PlanetRim, 2> names_of(PlanetRim) {
   return {{{PlanetRim::rigid, "rigid"}, {PlanetRim::elastic, "elastic"}}};
 }
 
-/// Where the tilt of a planet on its pin comes from.
+/// Origin of the tilt of a planet on its pin.
 enum class TiltState {
   stated,    // by Misalignment
   computed,  // from the balance of all bearings of a planet on their pin
@@ -184,15 +184,15 @@ void describe(Visitor& visit, PinSeats& m) {
       inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
 
-/// What the lives by the standards rest on beside the loads of a bearing.
+/// Data for the lives by the standards besides the loads of a bearing.
 struct RatedBearing {
-  bearing::rating::StatedRatings stated{};          // take the place of what the standards give
-  std::optional<bearing::rating::StatedOil> oil{};  // none: nothing is said of it
+  bearing::rating::StatedRatings stated{};          // replace the values of the standards
+  std::optional<bearing::rating::StatedOil> oil{};  // none: not stated
   std::optional<double>
-      roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
+      roughness{};  // [m]  composite: kappa by the film that was computed; none: by `oil`
   double reliability_factor = 1.0;  // [-]  a_1
   bearing::rating::LifeMethod method =
-      bearing::rating::LifeMethod::lundberg_palmgren;  // the life that results go by
+      bearing::rating::LifeMethod::lundberg_palmgren;  // the governing life of the results
 };
 
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
@@ -221,16 +221,15 @@ struct PlanetaryDrivetrain {
   /// give their mean forces. Called by each analysis anew, from any thread: the same every time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
   bool uneven_planets =
-      false;  // of gear_set: pins off their places or at unequal steps make planets load unevenly
-  /// What holds the carrier in the housing, of gear_set; none: points at rest leave out that it sags and
-  /// tilts.
+      false;  // of gear_set: pins off their positions or at unequal steps make planets load unevenly
+  /// Support of the carrier in the housing, of gear_set; none: its sag and tilt are left out at rest.
   std::optional<gearset::spatial::CarrierMounting> carrier_mounting;
   bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
   RatedBearing rated;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 
-/// What a case states of it beside the gears.
+/// Parameters in a case besides the gears.
 template <class Visitor>
 void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
@@ -260,7 +259,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
              .numerical = true}));
 }
 
-/// What follows from the parameters whatever the power and speed.
+/// Values that follow from the parameters and do not depend on power and speed.
 struct DrivetrainGeometry {
   gearset::WorkingGeometry gears;
   gearset::PlanetBody planet_gear;
@@ -286,8 +285,8 @@ gearset::dynamics::Operation set_operation(const PlanetaryDrivetrain& drivetrain
 bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain);
 
 /// Gives the bearing the clearance that it has at the drivetrain's speed, where that follows from its
-/// mounting. To be called whenever speed or place in an arrangement have changed; geometry is to be derived
-/// after it.
+/// mounting. To be called whenever speed or position in an arrangement have changed; geometry is to be
+/// derived after it.
 void mount(PlanetaryDrivetrain& drivetrain);
 
 /// Another speed of the input [rad/s], with the clearance and geometry that it brings.
@@ -304,21 +303,21 @@ struct BearingDuty {
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
   int planet = 0;                 // [-]  whose, counted from 0
   double share = 1.0;             // [-]  of its planet's load, over the mean of that planet's bearings
-  /// Of both gears of a stepped planet and their inertia, about the middle of the planet: leans its axis
-  /// outward and ahead at positive z. [N m]
+  /// Couple of both gears of a stepped planet and their inertia, about the middle of the planet: leans its
+  /// axis outward and ahead at positive z. [N m]
   Eigen::Vector2d couple = Eigen::Vector2d::Zero();
-  /// Balances of the bearing under nearly that load, where some are known.
+  /// Known equilibria of the bearing under nearly that load.
   std::shared_ptr<const bearing::vectorised::PitchResults> near{};
 };
 
 /// Film, inertia and cage angles of the quasi-static bearing.
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain);
 
-/// What the bearing's motion in time needs whatever drives it: no excitation of the meshes, no run-up.
+/// Parameters of the bearing's motion in time, for any drive: no excitation of the meshes, no run-up.
 bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
                                                      const DrivetrainGeometry& geometry);
 
-/// The same of the bearing of one planet, which gravity finds where the planet is on its carrier.
+/// The same of the bearing of one planet, with gravity at the position of the planet on its carrier.
 bearing::motion::DynamicsParameters bearing_dynamics_of(const BearingDuty& duty,
                                                         const PlanetaryDrivetrain& drivetrain,
                                                         const DrivetrainGeometry& geometry);

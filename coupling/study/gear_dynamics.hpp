@@ -85,11 +85,11 @@ class GearSignals {
   Eigen::ArrayXcd waves_;  // (orders)  at the present sample
 };
 
-/// What belongs to the method. A window is a whole number of mesh periods at nominal speed.
+/// Settings of the method. A window is a whole number of mesh periods at nominal speed.
 struct GearRunOptions {
   long window_periods = 50;     // [mesh period]
   double drift = 1e-2;          // [-]  steady: rms accelerations of two windows in turn differ by no more
-  int least_windows = 2;        // before the criterion is asked
+  int least_windows = 2;        // before the criterion is checked
   int most_windows = 40;        // before the run is observed all the same, and says so
   long observed_periods = 100;  // [mesh period]  averaged once steady
   // [-]  and one more over all of the observed periods together, so that no two samples fall on the same
@@ -112,7 +112,7 @@ struct GearSeries {
   Eigen::ArrayXXd tangential_acceleration;  // [m/s^2]
 };
 
-/// What a run gives.
+/// Result of a run.
 struct GearRunResult {
   bool completed = false;  // false: `message` says why; the rest holds what there was
   bool steady = false;     // false with completed: the motion still changed from window to window

@@ -12,7 +12,7 @@
 
 namespace orbearing::study {
 
-/// Sun, ring, carrier or planet: values that stand in for derived ones, and how the housing holds it.
+/// Sun, ring, carrier or planet: values that replace derived ones, and its support by the housing.
 struct GearMemberChoice {
   std::optional<double> mass;      // [kg]   none: from the geometry
   std::optional<double> inertia;   // [kg]   moment of inertia / radius^2; none: from the geometry
@@ -21,7 +21,7 @@ struct GearMemberChoice {
       0.0;  // [N/m]  on radius x angle; 0: free, or held where it is the fixed member
 };
 
-/// What the dynamics of the gears need beyond teeth and drive.
+/// Parameters of the gear dynamics besides teeth and drive.
 struct GearDynamicsChoice {
   GearMemberChoice sun;
   GearMemberChoice ring;

@@ -1,5 +1,5 @@
-// What the load of a planet bearing at rest says of its motion: slip where it is light, and how exactly
-// rollers have to be followed.
+// Estimates of the motion of a planet bearing from its load at rest: slip under light load, and required
+// accuracy of the roller motion.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace orbearing::study {
 
-/// Of one bearing of each duty, at rest, where rollers are equal and no wave turns; none without a balance.
+/// Means of one bearing of each duty, at rest, where rollers are equal and no wave turns; none without an
+/// equilibrium.
 using MeansAtRest = std::vector<std::optional<bearing::motion::WindowStatistics>>;
 MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties);

@@ -108,7 +108,7 @@ class PlanetSupport {
       on_pin_ = planet_on(unlike_planet_seat(drivetrain, duty), of_like_rollers(drivetrain.bearing));
   }
 
-  /// Each search starts from where this planet last settled, else from the first one that did.
+  /// Each search starts from the last equilibrium of this planet, else from the first one found.
   Give give(std::size_t planet, const Vector2d& force) {
     bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
     const double share = -force.y() / duty_.gears.tangential_force;
@@ -120,7 +120,7 @@ class PlanetSupport {
             (Matrix2d::Identity() / support + rolling.compliance) / drivetrain_.bearings_per_planet};
   }
 
-  /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
+  /// Last equilibria of the bearing of each planet; none where cage angles were searched one by one.
   std::vector<std::shared_ptr<const PitchResults>> pitches() {
     std::vector<std::shared_ptr<const PitchResults>> all;
     for (PitchResults& one : pitches_) {
@@ -184,15 +184,15 @@ class PlanetSupport {
   TeethOnRim teeth_;
   bearing::vectorised::PitchSearch search_;
   std::optional<bearing::laminae::PlanetOnPin> on_pin_;  // where its tilt is computed
-  std::vector<PitchResults> pitches_;                    // (planets)  where they last settled
+  std::vector<PitchResults> pitches_;                    // (planets)  their last equilibria
   std::vector<std::optional<bearing::laminae::PlanetOnPinResult>> seated_;  // (planets)  the same
   PitchResults found_;
 };
 
-// Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
+// Fixed point of a map, with its slope from the last steps: Anderson's mixing of type II.
 class Mixing {
  public:
-  /// What to try after `tried` became `found`.
+  /// The next argument after the map of `tried` was `found`.
   VectorXd next(const VectorXd& tried, const VectorXd& found) {
     const VectorXd change = found - tried;
     if (before_ && change.norm() > before_->change.norm()) forget();  // flanks parted or met
@@ -347,7 +347,7 @@ OnSprings balanced(const SetModel& model, double stiffness, PlanetSupport& suppo
   throw std::runtime_error(text.str());
 }
 
-// Of one bearing of each planet that carries such a share of the mean load.
+// Duties of one bearing of each planet that carries such a share of the mean load.
 std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
                                             const DrivetrainGeometry& geometry,
                                             const std::vector<double>& shares) {

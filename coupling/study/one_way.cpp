@@ -193,7 +193,7 @@ class OneWay {
     return (on_planet + load).norm() / load.norm();
   }
 
-  // Of gears that do not shake: what displaced planets make of the load shows at rest.
+  // For gears without excitation: the effect of displaced planets on the load is known at rest.
   std::optional<double> difference_at_rest() const {
     const std::optional<Eigen::Vector2d> force = bearing_force_at_rest(drivetrain_, geometry_, duty_.planet);
     if (!force) return std::nullopt;

@@ -24,9 +24,9 @@ struct FittedBearing {
   double damping_change = 0.0;    // [-]  of the dampers' force
 };
 
-/// Gathers the motions of a bore that is driven at multiples of one frequency. Only what follows that
-/// frequency counts: motion that the rollers give the bore is answered by the bore's mass, and would draw a
-/// fit of forces over motion towards that mass.
+/// Gathers the motions of a bore that is driven at multiples of one frequency. Only motion at these multiples
+/// counts: motion of the bore excited by the rollers is resisted by the bore's mass, and would draw a fit of
+/// forces over motion towards that mass.
 class AffineFit {
  public:
   /// @param angular_frequency [rad/s]
@@ -34,13 +34,13 @@ class AffineFit {
 
   void add(const system::BoreSample& sample);
 
-  /// What follows is another motion of the same bearing: one law is fitted to all of them, each by as much as
-  /// it lasted and half as much as the one after it.
+  /// Begins another motion of the same bearing: one law is fitted to all of them, each weighted by its
+  /// duration and half as much as the one after it.
   void begin_motion();
 
   /// Force = offset - stiffness x position - damping x velocity over all orders and in the mean. `expected`
   /// is what is known beforehand, its stiffness to kExpectedStiffness of the largest, its damping to as much
-  /// as it is: it stands where the motion shows no more than its own scatter, as across an orbit that is a
+  /// as it is: it holds where the motion shows no more than its own scatter, as across an orbit that is a
   /// line. Dampers give no energy: where the best ones would, their symmetric part is the nearest that does
   /// not. Offset and shares are those of the last motion.
   /// @param before what changes are counted from: along the motion, since nothing is known across it
@@ -67,15 +67,15 @@ class AffineFit {
   double weight_ = 0.0;
 };
 
-/// When the law that stands for the bearings counts as found.
+/// Conditions under which the law that replaces the bearings counts as found.
 struct OneWayOptions {
   double stiffness_change = 0.01;  // [-]  from one run to the next, in its force along the motion
   double damping_change = 0.1;     // [-]
   double load_difference = 0.002;  // [-]  of the mean load: a hundredth of the life
-  int most_runs = 8;               // of gears and bearing; then the last one stands, and says so
+  int most_runs = 8;               // of gears and bearing; then the last one is used, and reports it
 };
 
-/// What stood for the bearings while the gears moved.
+/// The law that replaced the bearings in the gears' motion.
 struct OneWayRecord {
   FittedBearing fitted;  // after the last run; its changes are from what the gears moved on in that run
   int runs = 0;          // of gears and bearing
@@ -102,10 +102,10 @@ struct OneWayRun {
 /// run that it is fitted to is the last one; where they do all the same, the bearing is driven as before once
 /// more. Each run goes on where the one before ended.
 ///
-/// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
-/// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing
-/// that is linear, the ring's own vibration on the rollers falls among the mesh harmonics, where a small
-/// error of the law is a large one of the motion.
+/// The bearing has its own outer ring as its part of the planet's mass, and the gears' load is the force that
+/// moves that ring as the planet moved: nearly the force of the bearing. With the whole mass, which is as
+/// good for a linear bearing, the ring's own vibration on the rollers falls among the mesh harmonics, where a
+/// small error of the law is a large one of the motion.
 /// @param start state of the bearing to begin with; none: its quasi-static state
 /// @throws std::runtime_error where the gears' motion cannot be computed
 OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

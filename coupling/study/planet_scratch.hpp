@@ -106,7 +106,7 @@ void describe(Visitor& visit, ScratchedPosition& m) {
              .where = {"defect.also", "outer|inner|roller"}}));
 }
 
-/// What pure rolling and the teeth give. Frequencies of the bearing are relative to the carrier.
+/// Frequencies of pure rolling and of the teeth. Frequencies of the bearing are relative to the carrier.
 struct PlanetFrequencies {
   double carrier = 0.0;                         // [Hz]  turns of the carrier in the housing
   double planet = 0.0;                          // [Hz]  turns of the planet relative to the carrier

@@ -166,7 +166,7 @@ TableValue ResultTable::at(const TablePoint& point, std::size_t result) const {
 
 double ResultTable::share_within(double bound) const {
   double share = 0.0;
-  // Of a cell that stands for one of its halves, the part of that half.
+  // For a cell that also covers one of its halves: the part of that half.
   const auto add = [&](const auto& self, int part, double volume) -> void {
     if (part >= 0) {
       const TableSplit& split = splits_[static_cast<std::size_t>(part)];
@@ -251,8 +251,8 @@ void TableBuilder::want_corners(Cell& cell) {
   }
 }
 
-// Of a result with a kink the miss is largest in a narrow part of the cell, which few points at random meet:
-// the largest miss of each result is followed.
+// If a result has a kink, its error is largest in a narrow part of the cell, which few random points hit:
+// checks follow the largest error of each result.
 void TableBuilder::want_checks_near_worst(Cell& cell, double radius) {
   std::vector<TablePoint> worst;
   for (std::size_t r = 0; r < target_.results; ++r) {
@@ -357,7 +357,7 @@ void TableBuilder::decide(std::size_t number) {
   }
 }
 
-// Of the last round as many terms as fit; a cell without all of its first points has no values.
+// Points of the last round: as many terms as fit; a cell without all of its first points has no values.
 std::vector<TablePoint> TableBuilder::next() {
   std::vector<TablePoint> points;
   for (std::size_t number = 0; number < cells_.size() && !exhausted_; ++number) {  // halves follow at once

@@ -81,7 +81,7 @@ class ResultTable {
   std::vector<Steps> steps_;
 };
 
-/// What a table is built for. Values and errors have the unit of the results, which are all alike in it.
+/// Target of a table. Values and errors have the unit of the results, which are all alike in it.
 struct TableTarget {
   std::size_t inputs = 1, results = 1;
   double bound = 0.01;  // error at which a cell is finished

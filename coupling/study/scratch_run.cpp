@@ -46,7 +46,7 @@ integration::Switches switches_of(ScratchedMotion& motion) {
 
 using LowPass = InstrumentLowPass<2>;
 
-// What one instant adds to the signal.
+// Contribution of one instant to the signal.
 struct Instant {
   Eigen::Vector2d position, acceleration;
   double ball_approach = 0.0, ball_load = 0.0, largest_load = 0.0;

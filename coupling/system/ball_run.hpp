@@ -22,7 +22,7 @@ constexpr described::Names<Start, 2> names_of(Start) {
   return {{{Start::rolling, "rolling"}, {Start::rest, "rest"}}};
 }
 
-/// Which places have inertia.
+/// Positions that have inertia.
 enum class BallForm {
   complete,   // all
   published,  // as [Chen2026]: those of rings and balls in their contacts follow from balance
@@ -32,7 +32,7 @@ constexpr described::Names<BallForm, 2> names_of(BallForm) {
   return {{{BallForm::complete, "complete"}, {BallForm::published, "printed"}}};
 }
 
-/// What belongs to the method and to the start.
+/// Settings of the method and of the start.
 struct BallRunOptions {
   double duration = 1.0;        // [s]  of the whole run
   double observed = 0.2;        // [-]  share of it at its end, over which means are taken

@@ -1,5 +1,5 @@
-// What steppers must know of a planet bearing: which errors of a step it bears, how long steps may be, how it
-// stands between two of them, and whether all bodies still are where its equations mean anything.
+// Data of a planet bearing for steppers: allowed errors of a step, lengths of steps, states between two of
+// them, and validity of the positions of all bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,9 +16,9 @@ namespace orbearing::system {
 /// by themselves.
 inline constexpr double kLinearlyImplicitErrorFactor = 1000.0;
 
-/// At which a contact's stiffness stands for that of a run [m].
+/// Typical approach, for the contact stiffness of a run [m].
 inline constexpr double kTypicalApproach = 1e-6;
-/// Of the fastest vibration in the longest step [rad].
+/// Angle of the fastest vibration in the longest step [rad].
 inline constexpr double kStepOfImpact = 1.05;
 /// Share of the allowed error for the radial speeds of rolling elements that bounce: they open and close the
 /// contacts, and life errs with them more than with all other variables together. Where oil that is pressed
@@ -91,10 +91,11 @@ struct StepBounds {
 /// Those of `bearing` with damped impacts (impacts_are_damped()), from the allowed errors of dopri5. Energy
 /// is as well kept as by steps of order 2, means are as good or better (coupling/integration/README.md).
 ///
-/// Where blows on the bars are damped, too, nothing strikes, and the ring on its rollers alone bounds the
-/// step. What loads and life hang on then is weighed more: the bore, whose error acts on all rollers at once,
-/// most, radial motion next. Motion along the pitch circle, spins and the cage act through oil films
-/// some tens of micrometres thick, not through an approach of one, and bear as much more.
+/// If blows on the bars are damped too, there are no impacts, and only the ring on its rollers bounds the
+/// step. Then the errors that determine loads and life have more weight: the bore, whose error acts on all
+/// rollers at once, most, radial motion next. Motion along the pitch circle, spins and the cage act through
+/// oil films some tens of micrometres thick, not through an approach of one, and allow errors larger by as
+/// much.
 StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
                              const Eigen::VectorXd& allowed_error);
 

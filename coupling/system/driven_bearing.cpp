@@ -238,7 +238,7 @@ struct DrivenBearing::Inside {
     return x;
   }
 
-  // What a saved state must agree in: version, rollers, bins, waves, cage.
+  // Header in which saved states must agree: version, rollers, bins, waves, cage.
   std::vector<double> head() const {
     return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.bins),
             static_cast<double>(model.layout.waves), setup.bearing.has_cage() ? 1.0 : 0.0};

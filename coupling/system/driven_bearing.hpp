@@ -30,14 +30,14 @@ struct DrivenBearingSetup {
   double allowed_length_error = 2e-10;   // [m]    of one step; all other variables follow from it
   long bins = 72;                        // [-]    bins on the races, for the life
   long most_steps = 10'000'000;          // [-]    in one call of advance() before it gives up
-  double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
+  double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start if not given
   double carrier_speed = 0.0;  // [rad/s]  the same
   Eigen::Vector2d start_load = Eigen::Vector2d::Zero();  // [N]  of the planet on the bearing, at the start
-  /// Start value of the bore's displacement [m]: where it stands under that load at these speeds.
+  /// Start value of the bore's displacement [m]: equilibrium position under that load at these speeds.
   Eigen::Vector2d start_displacement = Eigen::Vector2d::Zero();
 };
 
-/// Of a drivetrain too.
+/// Also used for a drivetrain.
 inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
   return field(reduction_factor, "life.reduction_factor", Physics::life,
@@ -120,23 +120,23 @@ class DrivenBearing final : public Participant {
   void complete(std::vector<double>& inputs, const std::vector<bool>& given) const override;
   void initialize(double time, const std::vector<double>& inputs) override;
   void advance(const Window& window, const std::vector<InputPolynomial>& inputs) override;
-  /// Of the first three, which are the reaction, no more is computed.
+  /// If only the first three are requested, which are the reaction, the rest is not computed.
   std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const override;
   std::vector<double> slopes(const std::vector<double>& inputs, std::size_t input) const override;
-  /// That of the bore under `inputs`.
+  /// Motion of the bore under `inputs`.
   static bearing::motion::BoreMotion motion_of(const std::vector<double>& inputs);
 
   /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
   /// zero.
   void initialize(const bearing::motion::BoreMotion& motion);
-  /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier
-  /// and bore are those of `motion`. Throws std::runtime_error where no balance is found.
+  /// Position of the bore at which the initial force of the bearing is -`load` [N]; speeds of carrier and
+  /// bore are those of `motion`. Throws std::runtime_error where no equilibrium is found.
   Eigen::Vector2d position_under(const Eigen::Vector2d& load,
                                  const bearing::motion::BoreMotion& motion) const;
   /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const BoreInputs& inputs);
-  /// What the bearing does to the bore under the motion at the present time: the cheap part of output().
+  /// Reaction of the bearing on the bore under the motion at the present time: the cheap part of output().
   bearing::motion::BoreReaction reaction(const bearing::motion::BoreMotion& motion) const;
   /// Under the motion at the present time.
   DrivenBearingOutput output(const bearing::motion::BoreMotion& motion) const;

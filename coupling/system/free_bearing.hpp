@@ -6,7 +6,7 @@
 
 namespace orbearing::system {
 
-/// What a step leaves behind: the state at its beginning and how long that state counts.
+/// Sample of a step: the state at its beginning and the duration for which that state counts.
 struct StepSample {
   double time = 0.0;              // [s]
   double weight = 0.0;            // [s]  half of the step before and half of the one after

@@ -26,7 +26,7 @@ class ThermalNetwork {
   Eigen::VectorXd steady(const Eigen::VectorXd& heat) const;
   /// Temperatures [degC] after `time` [s] of steady `heat` from `temperature` on: exact.
   Eigen::VectorXd after(const Eigen::VectorXd& temperature, const Eigen::VectorXd& heat, double time) const;
-  /// What leaves to the outside [W].
+  /// Heat flow to the outside [W].
   double leaving(const Eigen::VectorXd& temperature) const;
   /// Longest and shortest time in which a difference falls to 1/e [s].
   double longest_time() const;

@@ -38,11 +38,11 @@ class Monolithic final : public Motion {
                const std::function<void(double time)>& observe) override;
 
   int planets() const { return static_cast<int>(model_.ports.size()); }
-  /// Of all planets; bearing b belongs to planet b / bearings_per_planet.
+  /// Number over all planets; bearing b belongs to planet b / bearings_per_planet.
   int bearings() const override { return system_.bearings(); }
   double time() const { return time_; }  // [s]
   DrivenGearsOutput gears() const;
-  /// What bearing `b` does to its planet.
+  /// Reaction of bearing `b` on its planet.
   bearing::motion::BoreReaction reaction(int b) const;
   void take_snapshot(int b, bearing::motion::Snapshot& into) const override;
   void observe_steps(const StepObservers& observers) override;

@@ -21,7 +21,7 @@ struct BoreSample {
 };
 using BoreObserver = std::function<void(const BoreSample&)>;
 
-/// What sees every step.
+/// Observers of every step.
 struct StepObservers {
   std::vector<bearing::motion::StatisticsCollector*> loads;  // (bearings)  get the loads
   BoreObserver on_bore;  // sees the bore of a bearing by itself; may be empty

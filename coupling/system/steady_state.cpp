@@ -26,7 +26,7 @@ using integration::OutputTimes;
 
 constexpr double kLongestWindow =
     4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
-// Where loads are taken at every step, fewer states do for all other means:
+// If loads are taken at every step, fewer states are sufficient for all other means:
 constexpr long kSamplesPerState = 5;            // of the series, for one state of the means
 constexpr double kGolden = 0.6180339887498949;  // [-]
 constexpr long kSamplesApart = 25;              // of the series, on the way to the steady state
@@ -101,9 +101,9 @@ class Observation {
   /// The time [s] that the motion is expected to come to, for those who watch.
   void expect(double end) { expected_ = end; }
 
-  /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
-  /// Without it only what tells a steady state is looked at: loads, and the cage's turn from end to end.
-  /// Where the look among them ends the run, `times` end there.
+  /// Means of all bearings over `times`; `series`, if given, keeps the last `per_window` of the first one.
+  /// Without it only the criteria of a steady state are computed: loads, and the cage's turn from end to end.
+  /// If the look among them ends the run, `times` end there.
   std::vector<WindowStatistics> through(OutputTimes& times, long per_window, BearingSeries* series) {
     StepObservers observers{{}, series ? options_.on_bore : BoreObserver()};
     for (int b = 0; b < motion_.bearings(); ++b) {
@@ -140,8 +140,8 @@ class Observation {
   }
 
  private:
-  // Where steps show loads, one bearing at a time gives the states that tell all else, and all of them the
-  // last. Which one follows the golden ratio, so that none is always seen in the same place.
+  // If steps show loads, one bearing at a time gives the states for all other means, and all of them the
+  // last. The order follows the golden ratio, so that no bearing is always observed in the same position.
   void show(double time, long sample, long states, bool last, Recorder& recorder) {
     const bool all = last || !motion_.shows_steps();
     const double turns = kGolden * static_cast<double>(sample / states);

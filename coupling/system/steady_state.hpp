@@ -13,19 +13,19 @@
 
 namespace orbearing::system {
 
-/// A question among the observed windows: is it worth to observe the others, too?
+/// Optional check among the observed windows: whether the others are to be observed too.
 struct Look {
-  int windows = 0;                     // observed when it is asked; 0: it is not
+  int windows = 0;                     // observed before the check; 0: no check
   std::function<bool()> goes_on = {};  // false: the run ends there with the means so far; its series is void
 };
 
-/// What belongs to the method. A window is one revolution of the cage relative to the carrier, where gravity
-/// turns in its frame one of the carrier.
+/// Settings of the method. A window is one revolution of the cage relative to the carrier; with gravity, one
+/// of the carrier.
 struct SteadyStateOptions {
   double first_roller = 0.0;            // [rad]  angle of the first roller at the start
   double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
   double cage_drift = 1e-3;             // [-]  steady: cage speeds differ by no more of the kinematic one
-  int least_windows = 2;                // [-]  before the criterion is asked
+  int least_windows = 2;                // [-]  before the criterion is checked
   int most_windows = 20;                // [-]  before the run is observed all the same, and says so
   int observed_windows = 3;             // [-]  averaged once steady; at least ten for reliable maxima
   long samples_per_window = 2000;       // [-]
@@ -47,7 +47,7 @@ inline SteadyStateOptions with_window(SteadyStateOptions options, const bearing:
   return options;
 }
 
-/// Of a bearing that is driven too.
+/// Also used for a driven bearing.
 inline described::Row<double> length_error_row(double& allowed_length_error) {
   using namespace described;
   return field(allowed_length_error, "simulation.length_error", Physics::motion,
@@ -60,7 +60,7 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
                 .numerical = true});
 }
 
-/// What a case states of it.
+/// Parameters in a case.
 template <class Visitor>
 void describe(Visitor& visit, SteadyStateOptions& m) {
   using namespace described;
@@ -127,13 +127,13 @@ struct BearingSeries {
   Eigen::ArrayXd power_loss;   // [W]
 };
 
-/// What pure rolling would give.
+/// Speeds at pure rolling.
 struct RollingSpeeds {
   double cage = 0.0;  // [rad/s]  relative to the carrier
   double spin = 0.0;  // [rad/s]  of a roller
 };
 
-/// What a run gives. Of several bearings loads are as if all were passages of one.
+/// Result of a run. For several bearings, loads are as if all were passages of one.
 struct SteadyStateResult {
   bool completed = false;  // false: `message` says why and the means hold what there was, if anything
   bool steady = false;     // false with completed: the means drifted to the end
@@ -167,9 +167,9 @@ double window_length(const RollingSpeeds& rolling, const SteadyStateOptions& opt
 /// Time [s] between two samples of a motion that keeps to one interval.
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options);
 
-/// Runs `motion` from where it stands in windows until the pooled loads and the cage
-/// stand still, then observes `options.observed_windows` of them. Throws std::invalid_argument where the cage
-/// does not turn; what goes wrong later is in the result.
+/// Runs `motion` from its present state in windows until the pooled loads and the cage are steady, then
+/// observes `options.observed_windows` of them. Throws std::invalid_argument where the cage does not turn;
+/// later errors are in the result.
 SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
                                       const SteadyStateOptions& options);
 

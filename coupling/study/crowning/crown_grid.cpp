@@ -94,7 +94,7 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
   return found;
 }
 
-// Of all bearings of a duty on one race.
+// Loads of all bearings of a duty on one race.
 Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
                          const Profile& profile, const DutyLoads& loads, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
@@ -105,7 +105,7 @@ Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPre
   return mean_by_damage(all);
 }
 
-// Of one duty alone, whose loads are known.
+// Life of a single duty with known loads.
 double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles = 2) {
   const auto on = [&](Race race) { return loads_on(race, problem, pressure, profile, loads, angles); };

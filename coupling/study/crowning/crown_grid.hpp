@@ -43,14 +43,14 @@ struct PeakPressure {
   bearing::Race race = bearing::Race::inner;
 };
 
-/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties,
-/// in their order. The roller's tilt is that of its balance on laminae.
+/// Peak pressure of the most loaded roller on each race, at the duty that loads it most; `loads` are those of
+/// the duties, in their order. The roller's tilt is that of its equilibrium on laminae.
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile, const std::vector<DutyLoads>& loads);
 
-// Life from the pressures of the elastic half-space, which sees for itself what ends and tilts do.
+// Life from the pressures of the elastic half-space, which include the effects of ends and tilts.
 
-/// Life [h] by hours_without_riser() of the loads that would press as hard, as line contacts, in place of
+/// Life [h] by hours_without_riser() of the loads that would press as hard, as line contacts, instead of
 /// lamina loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded
 /// roller of all bearings, on both races, at `angles` of the cage angles, about a millisecond each; the loads
 /// and tilts of the rollers are those on laminae.
@@ -62,7 +62,7 @@ std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPres
                                    const bearing::profile::Profile& profile, const std::vector<double>& tilts,
                                    int jobs);
 
-// What each duty of a spectrum does to a crown.
+// Results of a crown for each duty of a spectrum.
 
 /// One duty under a profile, at the tilt at which all duties together leave the shortest life.
 struct DutyRecord {
@@ -74,8 +74,8 @@ struct DutyRecord {
   PeakPressure pressure;
 };
 
-/// Of all duties, in their order, on `jobs` threads (0: all). Throws std::runtime_error where loads do not
-/// balance.
+/// Records of all duties, in their order, on `jobs` threads (0: all). Throws std::runtime_error if there is
+/// no static equilibrium.
 std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPressure& pressure,
                                      const bearing::profile::Profile& profile,
                                      const std::vector<double>& tilts, int jobs);
@@ -102,7 +102,7 @@ std::vector<CrownPoint> crown_grid(const CrownProblem& problem, const RollerPres
                                    const std::vector<double>& drops, const std::vector<double>& tilts,
                                    int jobs, const Progressed& progressed);
 
-/// Lives alone, [h] (profiles, tilts): what a wide study needs.
+/// Lives only, [h] (profiles, tilts), for a wide study.
 Eigen::ArrayXXd life_grid(const CrownProblem& problem, const std::vector<bearing::profile::Profile>& profiles,
                           const std::vector<double>& tilts, int jobs);
 
@@ -111,10 +111,10 @@ struct WorstOfTilts {
   double drop = 0.0;           // [m]
   double life_hours = 0.0;     // [h]   shortest; NaN where a point failed
   double peak_pressure = 0.0;  // [Pa]  greatest
-  bool efficient = false;      // no other drop lives longer at a lower or equal pressure
+  bool efficient = false;      // no other drop has a longer life at a lower or equal pressure
 };
 
-/// Of a grid with `tilts` tilts; on the front of life against pressure where `efficient`.
+/// Worst points of a grid with `tilts` tilts; `efficient`: on the front of life against pressure.
 std::vector<WorstOfTilts> worst_of_tilts(const std::vector<CrownPoint>& points, std::size_t tilts);
 
 }  // namespace orbearing::study::crowning

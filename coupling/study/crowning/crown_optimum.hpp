@@ -42,7 +42,7 @@ struct SearchOptions {
   int jobs = 0;                // threads; 0: all
 };
 
-/// Where one start ended.
+/// Result of one start.
 struct SearchEnd {
   Crown start;
   Crown crown;

@@ -17,7 +17,7 @@ namespace orbearing::study::crowning {
 
 // Profiles of one kind with two free numbers: how deep, and over how much of the length.
 
-/// What is free about a profile.
+/// Free parameters of a profile.
 struct Crown {
   double drop = 0.0;   // [m]  of one roller at profile::kDropPosition
   double share = 1.0;  // [-]  of each half that is relieved; of kinds that have a straight middle only
@@ -68,7 +68,7 @@ struct Duty {
   double overturning_moment = 0.0;  // [N m]  on the whole planet, of helical teeth
 };
 
-/// What a study asks about; immutable, from any thread.
+/// Problem of a study; immutable, from any thread.
 struct CrownProblem {
   bearing::Bearing bearing;  // cut into laminae; its roller profile is what is studied
   bearing::QuasiStaticOptions options;
@@ -80,15 +80,14 @@ struct CrownProblem {
   std::optional<PlanetSeat> seat{};  // where the tilt is computed; none: it is stated
 };
 
-/// How a planet leans [rad]. Where tilts are stated: that of the bore on its pin, along the load and across.
-/// Where they are computed: by how much the unloaded pin is inclined beyond its seat's own, outward and
-/// ahead.
+/// Tilt of a planet [rad]. If tilts are stated: that of the bore on its pin, along the load and across. If
+/// they are computed: inclination of the unloaded pin beyond its seat's own, outward and ahead.
 using Lean = Eigen::Vector2d;
 
-/// Of one number, as grids and pictures have it: along the load where stated, ahead where computed.
+/// Tilt by one number, as in grids and pictures: along the load if stated, ahead if computed.
 Lean lean_by(const CrownProblem& problem, double angle);
 
-/// One operating point of a spectrum, as a drivetrain is asked for it.
+/// One operating point of a spectrum, as input of a drivetrain.
 struct SpectrumPoint {
   double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which uses up time alone
   double share = 1.0;           // [-]      of the time
