@@ -123,7 +123,7 @@ enum class Physics {
   at_rest,    // bearings at rest, and those in motion that start from them
   motion,     // rollers and cage in motion
   euler,      // the carrier's speed that changes
-  life,       // what loads of the rollers are worth in life
+  life,       // effect of the rollers' loads on life
   run,        // means over time
   run_up,     // speeds that grow
   single_bearing,      // a single bearing under a load of its own
@@ -150,7 +150,7 @@ struct Where {
 
 /// Optional data of a row, besides the parameter's name, physics and meaning. Texts are literals.
 struct Details {
-  unsigned models = no_model;       // that know it in a case
+  unsigned models = no_model;       // that have it in a case
   unsigned required_by = no_model;  // that cannot do without it
   Dimension dimension{};            // none: a plain number
   Range range{};
@@ -337,7 +337,7 @@ void visit_row(Visitor& visit, const BlockRow<Part>& row) {
   Within<Visitor> inside(visit, row.key);
   describe(inside, row.part);
 }
-// How alternatives are told apart is the visitor's: `self` is the one that describes them.
+// How alternatives are distinguished is up to the visitor: `self` is the one that describes them.
 template <class Visitor, class Variant>
 void visit_row(Visitor& visit, const ChoiceRow<Variant>& row) {
   visit.choose(visit, row.member, row.facts);

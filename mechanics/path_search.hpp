@@ -1,6 +1,6 @@
 // Equilibrium of forces that depend on a load share from 0 to 1, from the known equilibrium at share 0. The
 // search follows the equilibrium path by arc length, so the path may turn back on the way.
-// |
+//
 // Newton steps across the path bring each guess along its tangent back onto it [Keller1977]. The path ends at
 // share 1 if forces are continuous, resist large displacements, and have a single equilibrium at share 0.
 #pragma once

@@ -1,6 +1,6 @@
 // How results are described: each value once, beside the structure of results that holds it.
 // JSON, CSV, files of arrays, text and the numbers that rows of validation point at all come from the record
-// which `describe(record, result)` fills; nothing but the writers of records knows a format.
+// which `describe(record, result)` fills; only the writers of records contain formats.
 //
 //     inline void describe(described::Record& record, const Shaft& shaft) {
 //       using namespace described;
