@@ -13,7 +13,7 @@ namespace orbearing::gearset {
 /// remedy.
 Warnings assembly_problems(const PlanetarySet& set);
 
-/// Those that tooth numbers and planet positions alone tell.
+/// Problems that follow from tooth numbers and planet positions only.
 Warnings spacing_problems(const PlanetarySet& set);
 
 /// Reasons why a basic rack can cut no teeth.

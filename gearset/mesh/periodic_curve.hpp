@@ -19,7 +19,7 @@ struct CurvePoint {
 /// looked up in a few nanoseconds. At a jump the curve has its right limit.
 class PeriodicCurve {
  public:
-  /// Samples `function` at `samples` places a period or somewhat more. It is called with fractions in [0, 1),
+  /// Samples `function` at `samples` points a period or somewhat more. It is called with fractions in [0, 1),
   /// beside a jump at a billionth of the period off it. Error: fourth power of 1 / samples.
   /// @param jumps fractions in [0, 1) where value or slope are not continuous, ascending
   /// @throws std::invalid_argument if the jumps are not ascending in [0, 1), or a sample is not finite

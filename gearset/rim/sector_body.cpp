@@ -98,7 +98,7 @@ class Lattice {
   TrochoidPoint foot_;  // of the tooth on the rim
 };
 
-// Numbers the places of the lattice as elements ask for them.
+// Numbers the nodes of the lattice as elements use them.
 class Numbering {
  public:
   Numbering(const Lattice& lattice, SectorMesh& mesh) : lattice_(lattice), mesh_(mesh) {}
@@ -312,7 +312,7 @@ SectorBody::SectorBody(SectorMesh mesh, const mechanics::Material& material, int
   append_freedoms(mesh_.last_side, kept_);
   append_freedoms({mesh_.race.begin() + 1, mesh_.race.end() - 1}, kept_);
   std::vector<int> position(2 * mesh_.node.size(),
-                            -1);  // among the kept ones, or -1 - place among the inner ones
+                            -1);  // among the kept ones, or -1 - index among the inner ones
   for (std::size_t i = 0; i < kept_.size(); ++i)
     position[static_cast<std::size_t>(kept_[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < position.size(); ++i) {

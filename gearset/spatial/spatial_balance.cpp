@@ -140,7 +140,7 @@ class Builder {
   }
 
   // The force of a flank on the planet: against the sense in which the carrier is driven, apart from the
-  // other gear, and along the axis as the helix asks, opposite in the two meshes. On the back flank the sense
+  // other gear, and along the axis by the helix, opposite in the two meshes. On the back flank the sense
   // is the other one.
   Flanks flanks_of(int planet, bool inner, double sense, double gap) const {
     const SpatialMesh& mesh = inner ? set_.sun : set_.ring;

@@ -35,7 +35,7 @@ struct SpatialMesh {
   double backlash = std::numeric_limits<double>::infinity();
 };
 
-/// Forces and moments of the rotor on the carrier, in a frame that stands with the housing: x across, y
+/// Forces and moments of the rotor on the carrier, in a frame fixed to the housing: x across, y
 /// upward, z along the axis. They act on the axis, at the middle of the face width.
 struct RotorLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // [N]

@@ -75,7 +75,7 @@ struct ToothPairs {
 
 inline constexpr int face_slices = 32;  // of a face whose parts touch at unlike times
 
-/// @throws std::domain_error where the bodies turn by more than the teeth with their foundations give way
+/// @throws std::domain_error where the bodies turn by more than the teeth with their foundations deflect
 ToothPairs tooth_pairs(const MeshingGears& gears, const MeshModifications& modifications = {},
                        int slices = face_slices);
 
