@@ -22,7 +22,7 @@ struct Port {
 class Participant {
  public:
   /// One bearing of one planet; BadInput for a case that has none, of several sets, or with what a driven
-  /// bearing does not include, as the command fmu says.
+  /// bearing does not include, as stated by the command fmu.
   static Participant bearing(const Case& stated);
   /// The gear set with its planet bearings left out; BadInput likewise.
   static Participant gearset(const Case& stated);
