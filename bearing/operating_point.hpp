@@ -12,7 +12,7 @@ namespace orbearing::bearing {
 
 /// Displacement of the outer race along its radius, w(phi) = sum over orders n of cosine_n cos(n phi) +
 /// sine_n sin(n phi), outward positive. Waves of order 1 are displacements of the ring and stay zero: the
-/// ring stands where the mean of its race stands.
+/// ring has the mean position of its race.
 struct ElasticRace {
   /// [m/N]  (orders 0, 1, ...)  c_n: a radial force of a roller of this bearing at phi' displaces the race at
   /// phi by c_n cos(n (phi - phi')), beyond what the contact law itself gives. Empty: rigid.

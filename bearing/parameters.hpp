@@ -172,9 +172,9 @@ struct Bearing {
   Material material;
   ContactLaw contact_law = ContactLaw::palmgren;  // of rollers
   RaceMotions motions{RaceMotion::stationary,
-                      RaceMotion::rotating};  // of a planet, whose load stands on its pin
+                      RaceMotion::rotating};  // of a planet, whose load is fixed to its pin
   double first_element =
-      0.0;  // [rad]  place of the first element from the radial load, under a static load; a
+      0.0;  // [rad]  angle of the first element from the radial load, under a static load; a
             //        motion and a quasi-static pitch state where they begin
 
   const Ring& ring(Race race) const { return race == Race::inner ? inner : outer; }
@@ -183,7 +183,7 @@ struct Bearing {
   bool has_cage() const { return cage.width > 0.0; }
   bool has_rollers() const { return std::holds_alternative<CylindricalRollers>(elements); }
 
-  /// For what knows one kind of elements alone. Throws std::invalid_argument where they are of the other.
+  /// For uses with one kind of elements only. Throws std::invalid_argument where they are of the other.
   const CylindricalRollers& rollers() const { return elements_of_kind<CylindricalRollers>(elements); }
   CylindricalRollers& rollers() { return elements_of_kind<CylindricalRollers>(elements); }
   const Balls& balls() const { return elements_of_kind<Balls>(elements); }

@@ -1,4 +1,4 @@
-// Bearings of a planet that are not single rows of cylindrical rollers: which kind, and how their rows stand.
+// Bearings of a planet that are not single rows of cylindrical rollers: kind and arrangement of their rows.
 //
 //     back-to-back (O)                       face-to-face (X)
 //        \  first   second  /                    first      second
@@ -23,7 +23,7 @@ constexpr described::Names<PlanetBearingType, 4> names_of(PlanetBearingType) {
            {PlanetBearingType::deep_groove_ball, "deep-groove-ball"}}};
 }
 
-/// How the two tapered roller bearings of a planet stand to each other.
+/// Arrangement of the two tapered roller bearings of a planet.
 enum class RowArrangement {
   back_to_back,  // O: contact lines meet the axis outside of the pair
   face_to_face,  // X: between both rows

@@ -17,7 +17,7 @@ constexpr bool has_rollers(Family family) {
   return family == Family::cylindrical || family == Family::needle_cage;
 }
 
-/// One line of a catalogue. 0 stands for a number that it does not print.
+/// One line of a catalogue. 0: a number that it does not print.
 struct Entry {
   std::vector<std::string> designations;  // "NU 205", "NJ 205" and "NUP 205" share a line
   Family family = Family::cylindrical;

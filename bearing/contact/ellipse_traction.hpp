@@ -86,7 +86,7 @@ struct LimitedEyringShear {
   }
 };
 
-/// Gives `take` the law asked for.
+/// Gives `take` the selected law.
 template <class Take>
 auto with_shear_law(ShearLaw law, const Take& take) {
   if (law == ShearLaw::coulomb) return take(CoulombShear{});
@@ -145,7 +145,7 @@ struct TractionSlopes {
   Number by[4][4]{};
 };
 
-/// Gives friction at every point with its place: `take(force, sliding)` in all.
+/// Calls `take(force, sliding)` for the friction at every point and its position.
 template <bool kSlopes, class Law, class Number>
 void add_traction(const Law&, const ShearParameters& shear, const EllipsePoints& points,
                   const LoadedEllipse<Number>& ellipse, const Sliding<Number>& motion,

@@ -111,7 +111,7 @@ struct LandLaw {
             now.eccentricity};
   }
 
-  /// [J]  stored by touch-down where the cage stands `offset` [m] off the land's centre.
+  /// [J]  stored by touch-down with the cage `offset` [m] off the land's centre.
   double energy(double offset) const {
     const double depth = offset - largest_eccentricity * clearance;
     return depth > 0.0 ? 0.5 * stiffness * depth * depth : 0.0;

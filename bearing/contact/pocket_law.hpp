@@ -2,7 +2,7 @@
 // slopes.
 //
 //        a (ahead, sense of rotation)  The pocket's middle line runs from the cage's centre along e. The
-//        ^       |bar|                 roller stands off it by `offset` along a and touches a bar where
+//        ^       |bar|                 roller is off it by `offset` along a and touches a bar where
 //   o----|---|---|---> e               |offset| exceeds half the clearance.
 //  cage      |bar|
 //

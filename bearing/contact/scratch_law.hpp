@@ -10,7 +10,7 @@
 
 namespace orbearing::bearing {
 
-/// How far an element sinks between the edges of a scratch, over where it stands: s from the middle, width w.
+/// Depth of an element between the edges of a scratch, over its position: s from the middle, width w.
 enum class ScratchForm {
   raised_cosine,       // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
   half_cosine,         // depth cos(pi s/w): steep edges
@@ -114,7 +114,7 @@ struct TrackDepth {
 };
 
 /// On a track of radius `radius` [m] whose scratch lies at the angle of which `ahead` and `towards` are sine and
-/// cosine from the element's; the sine stands for the angle. Zero off the scratch.
+/// cosine from the element's; the sine approximates the angle. Zero off the scratch.
 template <class Number>
 TrackDepth<Number> track_depth(const ScratchLaw& law, double radius, const Number& ahead,
                                const Number& towards) {

@@ -165,7 +165,7 @@ struct SqueezeFilm {
 
   /// Least distance of the surfaces [m], where they touch the central film of `law`, at the geometric
   /// `approach` [m], elastic approach `elastic` [m] (negative where they are apart) and its load [N].
-  /// `in_approach`: the film takes room, which is what tells both approaches apart; else it is there all the
+  /// `in_approach`: the film takes room, which is the difference of both approaches; else it is there all the
   /// same.
   template <class Law, class Approach, class Elastic, class Load, class LogSpeed>
   auto gap(bool in_approach, const Law& law, const Approach& approach, const Elastic& elastic,

@@ -71,7 +71,7 @@ struct LawOf {
   }
 };
 
-// Goes on below zero as a smooth step across the opening asks for it.
+// Continues below zero, as required for a smooth step across the opening.
 double elastic(double constant, double exponent, double approach) {
   return std::copysign(constant * std::pow(std::abs(approach), exponent), approach);
 }

@@ -34,9 +34,9 @@ namespace orbearing::bearing::defect {
 struct PassingFrequencies {
   double shaft = 0.0;         // [Hz]  of the inner ring against the outer one
   double cage = 0.0;          // [Hz]
-  double outer_pass = 0.0;    // [Hz]  elements over a place of the outer race
-  double inner_pass = 0.0;    // [Hz]  elements over a place of the inner race
-  double element_pass = 0.0;  // [Hz]  a place of an element over either race: twice its spin in the cage
+  double outer_pass = 0.0;    // [Hz]  elements over a point of the outer race
+  double inner_pass = 0.0;    // [Hz]  elements over a point of the inner race
+  double element_pass = 0.0;  // [Hz]  a point of an element over either race: twice its spin in the cage
 };
 
 /// By their names in condition monitoring: FTF, BPFO, BPFI and BSF.
@@ -47,7 +47,7 @@ void describe(described::Record& record, const PassingFrequencies& frequencies);
 /// its races under an angle is across the line of its contacts: eq. (6).
 double rolling_speed(const Bearing& bearing, double inner_speed, double outer_speed);
 
-/// At `shaft_speed` [rad/s] of the inner ring; the outer one stands.
+/// At `shaft_speed` [rad/s] of the inner ring; the outer one is stationary.
 PassingFrequencies passing_frequencies(const Bearing& bearing, double shaft_speed);
 /// At the speeds [rad/s] of both rings, as a planet's bearing has them relative to the carrier: 0 of the pin
 /// and that of the planet. The cage's is relative to the same frame.
@@ -127,8 +127,8 @@ struct StaticPosition {
   mechanics::SearchReport report;
 };
 
-/// The equations of motion in a given form: which contacts carry, and which elements are on which scratch,
-/// holds for as long as the caller says, so that the equations are smooth within a step.
+/// The equations of motion in a given form: the sets of loaded contacts and of elements on scratches are
+/// constant until the caller changes them, so that the equations are smooth within a step.
 class ScratchedMotion {
  public:
   using State = Eigen::Vector4d;  // u, v [m], u', v' [m/s]

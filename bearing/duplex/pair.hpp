@@ -4,8 +4,8 @@
 //          |<-- first lever --->|<-- second lever -->|     first row; x and y across
 //     -----+--------------------o--------------------+---> -z
 //
-// The outer rings stand. Both rows are those of bearing/equilibrium/row_group.hpp, Eq. (1), without a motion
-// of the balls where nothing else is said.
+// The outer rings are fixed. Both rows are those of bearing/equilibrium/row_group.hpp, Eq. (1), without a
+// motion of the balls where nothing else is said.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace orbearing::bearing::duplex {
 
 using Stiffness = Eigen::Matrix<double, 5, 5>;  // [N/m], [N/rad], [N m/m], [N m/rad]
 
-/// How both bearings stand to each other.
+/// Arrangement of both bearings.
 enum class Arrangement {
   face_to_face,  // lines of contact meet the axis between the rows
   back_to_back,  // beyond them

@@ -81,7 +81,7 @@ struct Eigenpair {
   Freedoms vector = Freedoms::Zero();
 };
 
-// Each group of coupled freedoms by itself.
+// Each group of coupled freedoms separately.
 std::vector<Eigenpair> eigenpairs(const Stiffness& matrix) {
   std::vector<Eigenpair> pairs;
   std::array<bool, kFreedoms> taken{};

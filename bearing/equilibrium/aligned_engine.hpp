@@ -36,8 +36,8 @@ struct AlignedInput {
   double start_x[kBlock], start_y[kBlock];  // [N^0.9]
 };
 
-/// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,
-/// then at the outer one, kBlock entries for each roller of each of them.
+/// `lamina_loads` on request: loads [N] per share of the length, of the laminae at the inner race, then at
+/// the outer one, kBlock entries for each roller of each of them.
 struct AlignedOutput {
   double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
   double displacement_y[kBlock];  // [N^0.9]
@@ -48,7 +48,7 @@ struct AlignedOutput {
   double stiffness_xy[kBlock];    // [N^0.1]
   double stiffness_yy[kBlock];    // [N^0.1]
   double* lamina_loads = nullptr;
-  double* rollers = nullptr;  // where it is asked for: what a neighbouring search takes of each roller, twice
+  double* rollers = nullptr;  // on request: start values of each roller for a neighbouring search, twice
                               // kBlock entries
 };
 

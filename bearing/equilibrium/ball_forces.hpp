@@ -110,7 +110,7 @@ struct BallLaw {
   GyroscopicMoment gyroscopic_moment = GyroscopicMoment::balanced;
   bool filmed = false;
 
-  /// At the place of the ball from the outer groove centre and of the inner one from the ball [m].
+  /// At the position of the ball from the outer groove centre and of the inner one from the ball [m].
   template <class T, class Outer, class Inner>
   BallContacts<T> contacts(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
                            const Inner& inner_z) const {
@@ -177,7 +177,7 @@ struct BallLaw {
     return forces;
   }
 
-  /// All forces of a ball in motion, at such a place.
+  /// All forces of a ball in motion, at such a position.
   template <class T, class Outer, class Inner>
   BallForcesOf<T> forces(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
                          const Inner& inner_z, SpinControl control) const {

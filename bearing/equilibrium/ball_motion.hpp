@@ -1,4 +1,4 @@
-// How a ball turns between its races, and what its motion asks of them.
+// Motion of a ball between its races, and conditions of that motion on them.
 //
 //        r ^      outer race        n = (cos a, sin a) from the outer to the inner groove centre, at each
 //        race

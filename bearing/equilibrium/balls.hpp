@@ -53,7 +53,7 @@ class BallRow : public RingRow {
   double constant_ = 0.0;
   PointContact inner_;
   PointContact outer_;
-  Eigen::ArrayXd cosine_;  // (balls)  of their places
+  Eigen::ArrayXd cosine_;  // (balls)  of their angles
   Eigen::ArrayXd sine_;
 };
 

@@ -94,7 +94,7 @@ struct PlanetLoad {
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  conjugate to the tilt
 };
 
-/// The balance at one place of the elements.
+/// The equilibrium at one position of the elements.
 struct InclinedState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    of the planet, in the middle of its face
   double axial = 0.0;                                      // [m]
@@ -125,8 +125,8 @@ class InclinedPlanet {
   InclinedState balance(const PlanetLoad& load, double first_element,
                         const InclinedState* near = nullptr) const;
 
-  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: where they stood
-  /// before, and what they find.
+  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: start and result of
+  /// their searches.
   mechanics::Imbalance<5> forces(const Position& position, double first_element,
                                  std::vector<laminae::RollerState>* rollers = nullptr) const;
 

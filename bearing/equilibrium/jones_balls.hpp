@@ -1,5 +1,5 @@
-// A row of balls that turns: each ball is thrown outward and turned by its gyroscopic moment, and so touches
-// both races at unlike angles under unlike loads [Jones1960], [Harris2006].
+// A rotating row of balls: each ball has a centrifugal load and a gyroscopic moment, and so touches both
+// races at different angles under different loads [Jones1960], [Harris2006].
 //
 // At rest the row is that of balls.hpp.
 #pragma once
@@ -97,11 +97,11 @@ class JonesRow : public RingRow {
   /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets
   /// where the balls were.
   void push_unlike(int path);
-  /// Whether the ring, where the loads were put, yields to forces. Where a ball neither rolls on the inner
-  /// race nor has left it, a balance may stand on the point at which one ends: there it yields to none, or to
-  /// any.
+  /// Whether the ring, at the position of the stored loads, has a defined stiffness. If a ball neither rolls
+  /// on the inner race nor has left it, the equilibrium can be at the end of a law: there the ring deflects
+  /// under no force, or under any.
   bool has_stiffness() const;
-  /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
+  /// Balls that are loaded, at the position of the stored loads, where the groove is vertical and has ended.
   int beyond_grooves() const;
   /// Positions of the balls (2 each, from their outer groove centre) [m].
   Eigen::VectorXd ball_positions() const;

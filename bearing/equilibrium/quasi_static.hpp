@@ -71,9 +71,9 @@ RaceEquilibrium quasi_static_problem(const laminae::LaminaBearing& bearing, cons
                                      const QuasiStaticOptions& options, double first_roller);
 
 /// Equilibrium with the first roller at `first_roller` [rad]; the search starts from `near` where one is
-/// given. The tilt of the bore is that of the point: forces balance, the moment that holds the tilt is a
-/// result. Races that are not round stand as at t = 0; the small tangential part of their contact forces, of
-/// the order amplitude * order / radius, is left out.
+/// given. The tilt of the bore is that of the point: forces are in equilibrium, the moment that holds the
+/// tilt is a result. Races that are not round have their position at t = 0; the small tangential part of
+/// their contact forces, of the order amplitude * order / radius, is left out.
 QuasiStaticState quasi_static_state(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller,
                                     const QuasiStaticState* near = nullptr);

@@ -89,8 +89,8 @@ mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 void put_rollers(const RaceEquilibrium& problem, std::vector<laminae::RollerState> rollers,
                  QuasiStaticState& state);
 
-/// Displacement, and waves of the outer race, at which the forces on the outer ring balance. The search
-/// starts where the ring stands in `near`, if one is given: the balance of the same bearing under another
+/// Displacement, and waves of the outer race, at static equilibrium of the outer ring. The search starts from
+/// the position of the ring in `near`, if one is given: the equilibrium of the same bearing under another
 /// load or at another cage angle.
 QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near = nullptr);
 

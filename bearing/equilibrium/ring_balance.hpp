@@ -1,10 +1,10 @@
 // The balance of a ring on one row of rolling elements under a static load, [ISO16281]: one problem for balls
 // and for rollers on laminae.
 //
-// The outer ring stands. The inner ring has five freedoms, all as lengths: x along the radial load, y across
-// it, z along the axis, and both tilts at the row's lever,
+// The outer ring is fixed. The inner ring has five freedoms, all as lengths: x along the radial load, y
+// across it, z along the axis, and both tilts at the row's lever,
 //
-//     place = (x, y, z, lever tan(tilt in the plane of x and z), lever tan(tilt in that of y and z))
+//     position = (x, y, z, lever tan(tilt in the plane of x and z), lever tan(tilt in that of y and z))
 //
 // A positive tilt moves the ring forward along z where it is positive in x or y; there it presses rollers at
 // negative z.
@@ -31,7 +31,7 @@ struct RingLoad {
   double axial = 0.0;          // [N]
   double moment = 0.0;         // [N m]  in the plane of x and z
   double moment_across = 0.0;  // [N m]  in the plane of y and z
-  std::optional<double> tilt;  // [rad]  in the plane of x and z, given in place of both moments; none: free
+  std::optional<double> tilt;  // [rad]  in the plane of x and z, given instead of both moments; none: free
 };
 
 template <class Visitor>

@@ -229,7 +229,7 @@ struct AllForcesAt {
     }
     return sum;
   }
-  // The share of all that follows from the motion, in place of the frozen rows' centrifugal forces.
+  // The share of all that follows from the motion, instead of the frozen rows' centrifugal forces.
   mechanics::PathForces operator()(const Eigen::VectorXd& positions, double share) const {
     group.freeze(true);
     const mechanics::Imbalance<Eigen::Dynamic> from = (*this)(positions);

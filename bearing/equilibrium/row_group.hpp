@@ -1,6 +1,6 @@
 // Any number of rows on one shaft: one balance, one stiffness.
 //
-//        row 1        row 2              row 3         z along the shaft; x and y across; outer rings stand
+//        row 1        row 2              row 3         z along the shaft; x and y across; outer rings fixed
 //     -----+------------+-----o------------+----> z
 //                             origin of the loads and of the displacement
 //

@@ -6,9 +6,9 @@
 
 namespace orbearing::bearing::friction {
 
-/// `given` with the share of oil and the starvation that it asks for, the rings at `speed` [rad/s] against
-/// each other. Throws std::invalid_argument where there is no flow or no speed for a share by both, no bore
-/// and outside diameter for starvation, or starvation by what only bearings at rest know.
+/// `given` with its share of oil and starvation evaluated, the rings at `speed` [rad/s] against each other.
+/// Throws std::invalid_argument where there is no flow or no speed for a share by both, no bore and outside
+/// diameter for starvation, or a starvation model for bearings at rest only.
 balls::MotionParameters supplied(const Bearing& bearing, const balls::MotionParameters& given, double speed);
 
 /// The same of rollers: their starvation.

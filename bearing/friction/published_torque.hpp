@@ -1,5 +1,5 @@
 // Friction torque of a rolling bearing by formulas of others: each law once. They need no motion, no contact
-// and no load of an element, and stand beside what the program computes from all three.
+// and no load of an element, and are listed next to the program's results from all three.
 //
 // Constants hold in N, N mm, mm, mm^2/s and rpm; arguments and results are SI. d_m = (d + D)/2, nu kinematic
 // viscosity, n speed.
@@ -20,7 +20,7 @@
 //                      G_sl = S_1 d_m^0.26 ((F_r + F_g)^(4/3) + S_2 F_a^(4/3))
 //     cylindrical      G_rr = R_1 d_m^2.41 F_r^0.31,  G_sl = S_2 d_m F_r
 //
-// Drag of an oil bath by SKF stands in a diagram alone and is left out.
+// Drag of an oil bath by SKF is given in a diagram only and is left out.
 #pragma once
 
 #include "bearing/life/basic_life.hpp"

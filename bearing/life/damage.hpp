@@ -132,7 +132,7 @@ class DamageSums {
   RacePassages inner;
   RacePassages outer;
 
-  /// `laminae` as uneven_laminae() says.
+  /// `laminae` as returned by uneven_laminae().
   explicit DamageSums(Eigen::Index bins, Eigen::Index laminae = 0, DamagePower power = DamagePower::of_lines)
       : inner(bins, laminae, power), outer(bins, laminae, power), lamina_forces_(laminae) {}
 

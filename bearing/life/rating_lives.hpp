@@ -57,8 +57,8 @@ struct BearingRating {
 
 BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated = {});
 
-/// Whether straight rollers, whose stress riser goes by position, are cut into fewer laminae than [ISO16281]
-/// has lives of.
+/// Whether straight rollers, whose stress riser depends on the position, are cut into fewer laminae than
+/// [ISO16281] requires for lives.
 bool has_too_few_laminae(const Bearing& bearing, StressRiser riser);
 
 /// Laminae with stress riser of contacts of C_r: kLeastRatedLaminae, or by the standard's formula the

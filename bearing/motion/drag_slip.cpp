@@ -31,7 +31,7 @@ double pure_rolling(const BearingModel& model) {
   return kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
 }
 
-// 1 or -1: that of pure rolling, which a cage that stands has too.
+// 1 or -1: that of pure rolling, also for a stationary cage.
 double sense_of_orbit(const BearingModel& model) {
   return pure_rolling(model) < 0.0 ? -1.0 : 1.0;
 }
@@ -170,7 +170,7 @@ class Orbit {
         small_(kMomentError * scale_of(model)),
         spin_(kinematic_roller_spin(model.geometry, model.point.inner_speed, model.point.outer_speed)) {}
 
-  /// Mean moment [N m] on the cage at `speed` [rad/s]; `settled()` says whether its place was found.
+  /// Mean moment [N m] on the cage at `speed` [rad/s]; `settled()`: whether its position was found.
   double moment(double speed) {
     double before = 0.0;
     Vector2 step = Vector2::Zero(), last = Vector2::Zero();  // [m]  and what was left before it
@@ -186,7 +186,7 @@ class Orbit {
         settled_ = true;
         return sum;
       }
-      if (lap > 0 && step.squaredNorm() > 0.0) {  // Broyden: how what is left changes with the place
+      if (lap > 0 && step.squaredNorm() > 0.0) {  // Broyden: derivative of the residual by the position
         const Vector2 missed = left - last - slope_ * step;
         slope_ += missed * step.transpose() / step.squaredNorm();
       }
@@ -241,7 +241,7 @@ class Orbit {
   double once_around(double speed) {
     const Eigen::Index n = inner_.size();
     const double each = static_cast<double>(model_.layout.rollers) / static_cast<double>(n);
-    const double longest = 1e6;  // [s]  of a cage that stands: rollers in balance
+    const double longest = 1e6;  // [s]  of a stationary cage: rollers in equilibrium
     const double angle = two_pi / static_cast<double>(n);
     double moment = 0.0;
     load_ = {model_.cage.mass * field_, 0.0};
@@ -262,7 +262,7 @@ class Orbit {
   double pitch_, rolling_, field_, first_angle_, small_;
   Vector2 centre_ = Vector2::Zero();                            // [m]  of the cage
   Vector2 load_ = Vector2::Zero();                              // [N]  on it
-  Eigen::Matrix2d slope_ = -2.0 * Eigen::Matrix2d::Identity();  // [-]  of what is left by the place
+  Eigen::Matrix2d slope_ = -2.0 * Eigen::Matrix2d::Identity();  // [-]  of the residual by the position
   bool settled_ = false;
   double spin_;  // [rad/s]  of the roller at the position last passed
 };

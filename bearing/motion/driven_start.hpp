@@ -14,7 +14,7 @@ struct PinBalance {
 };
 
 /// The pin ring and all rollers in balance under `motion`: Newton's method on the two freedoms of the pin,
-/// whose forces are the slope of a convex energy. The report of `rollers` says whether it converged.
+/// whose forces are the slope of a convex energy. Converged or not: see the report of `rollers`.
 PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
 

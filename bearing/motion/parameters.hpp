@@ -137,7 +137,7 @@ struct RaceContactParameters {
   Starvation starvation = Starvation::none;
   double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
   FilmApproach film_approach = FilmApproach::added;
-  bool squeeze = false;  // the oil that is pressed out resists the approach
+  bool squeeze = false;  // squeeze film: oil resists the approach
   DampingLaw damping_law = DampingLaw::approach_speed;
   Lubrication lubrication = Lubrication::full;
   double roughness = 0.2e-6;        // [m]  composite rms of roller and race
@@ -476,9 +476,9 @@ void describe(Visitor& visit, SupportParameters& m) {
 
 /// Waves of an elastic outer race in motion.
 struct RimParameters {
-  int most_order = 8;           // [-]  of the waves that move; what more of them are worth is in README
-  double damping_ratio = 0.02;  // [-]  of each wave by itself. Assumption: rings pressed into a steel gear;
-                                //      what a tenth or five times as much is worth is in README
+  int most_order = 8;           // [-]  of the waves that move; effect of more waves: README
+  double damping_ratio = 0.02;  // [-]  of each wave. Assumption: rings pressed into a steel gear;
+                                //      effect of a tenth or five times as much: README
 };
 
 template <class Visitor>

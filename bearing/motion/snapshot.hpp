@@ -71,7 +71,7 @@ struct PowerInput {
 struct Snapshot {
   RaceSnapshot inner;
   RaceSnapshot outer;
-  Eigen::ArrayXd angle;          // [rad]  (rollers)  place of each roller, from 0 to 2 pi
+  Eigen::ArrayXd angle;          // [rad]  (rollers)  angle of each roller, from 0 to 2 pi
   Eigen::ArrayXd orbital_speed;  // [rad/s]  (rollers)  relative to the carrier
   Eigen::ArrayXd spin;           // [rad/s]  (rollers)
   bool caged = true;

@@ -14,7 +14,7 @@
 //
 //   (3)  b_i^2 = (4 R c/h_i) sum_j V_ij q_j b_i^2,   V = -dW/d(B)/(2 B)
 //
-// One strip across is the idea of [Reusner1977] and [Mul1986]; energy in place of displacement along y = 0
+// One strip across is the idea of [Reusner1977] and [Mul1986]; energy instead of displacement along y = 0
 // makes it symmetric and its loads derivatives of its energy.
 #pragma once
 

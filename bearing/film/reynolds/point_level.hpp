@@ -35,7 +35,7 @@ struct PointFilmNumbers {
 };
 
 /// How much of a computed change is applied, and where changes are those of single nodes. Lines change one
-/// after the other with films that do not know yet of each other's changes: those of many lines add up, above
+/// after the other with films that do not yet include each other's changes: those of many lines add up, above
 /// all where contacts are long across, and more than about 0.7 of single changes overshoots then.
 struct Relaxation {
   double single = 0.5;

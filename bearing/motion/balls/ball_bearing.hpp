@@ -97,7 +97,7 @@ class BallBearing {
 
   void derivative(double time, const double* x, double* dx);
   void linearise(double time, const double* x, double* dx);
-  /// Slope of the rate by time alone, at the place of the last linearisation.
+  /// Slope of the rate by time only, at the state of the last linearisation.
   void time_slope(double time, double* rate);
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
@@ -105,7 +105,7 @@ class BallBearing {
 
   Surroundings surroundings(double time) const;
   BallSnapshot snapshot(double time, const double* x) const;
-  /// `time` [s] says how far the rings have turned their scratches.
+  /// `time` [s] gives the rotation of the rings with their scratches.
   BallEnergy energy(const double* x, double time = 0.0) const;
   /// Power that loads, and drives against friction, put in at `time` in the state `x` [W].
   double power_input(double time, const double* x) const;

@@ -1,10 +1,10 @@
-// Balls and rings as their contacts see them: places, velocities and turns, in the axes of one ball's own
-// radius. Written once for plain numbers and packs.
+// Balls and rings in the coordinates of their contacts: positions, velocities and rotations, in the axes of
+// one ball's own radius. Written once for plain numbers and packs.
 //
-// A ring's place is its centre and the direction of its axis, whose components across the bearing's axis are
-// state variables: rings and cage are solids of revolution, so how far they have turned matters to pockets
-// and defects alone. A ball is described by cylindrical coordinates about the bearing's axis and by the
-// components of its turning in the axes (radial, tangential, axial) of its place.
+// A ring's position is its centre and the direction of its axis, whose components across the bearing's axis
+// are state variables. Rings and cage are solids of revolution, so their angle of rotation matters to pockets
+// and defects only. A ball is described by cylindrical coordinates about the bearing's axis and by the
+// components of its rotation in the axes (radial, tangential, axial) of its position.
 #pragma once
 
 #include "bearing/motion/balls/numbers.hpp"

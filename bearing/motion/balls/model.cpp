@@ -110,7 +110,7 @@ double inlet_heating(const MotionParameters& given) {
   return given.race.viscosity_slope * given.lubricant.viscosity / given.race.oil_conductivity;
 }
 
-// The oil pressed out between ball and groove, which lies round the ball across the direction of rolling.
+// Squeeze film between ball and groove, which lies round the ball across the direction of rolling.
 PointSqueezeFilm squeeze_film(const MotionParameters& given, double rolling_radius, double ball_radius,
                               double groove_radius) {
   if (!given.race.squeeze) return {};

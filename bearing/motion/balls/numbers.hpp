@@ -69,7 +69,7 @@ struct PocketNumbers {
 
 /// A ring or the cage as a rigid body.
 struct BodyNumbers {
-  double mass = 0.0;     // [kg]      0: held, its place is given
+  double mass = 0.0;     // [kg]      0: held, its position is given
   double across = 0.0;   // [kg m^2]  about a diameter
   double polar = 0.0;    // [kg m^2]  about its axis
 };

@@ -119,7 +119,7 @@ void describe(Visitor& visit, MixtureParameters& m) {
 struct RingBodyParameters {
   double mass = 0.0;    // [kg]      0: that of the ring
   double across = 0.0;  // [kg m^2]  about a diameter; 0: that of the ring
-  bool held = false;    // its place is given
+  bool held = false;    // its position is given
 };
 
 /// All that the motion of balls adds to Bearing.

@@ -25,7 +25,7 @@ namespace orbearing::bearing::balls {
 // the rest of the gradient of the contact's energy: their moments about the ring's axis cancel, since the
 // ring is round.
 
-/// A scratch as one contact of one ball sees it.
+/// A scratch in the axes of one ball, for one of its contacts.
 template <class Number>
 struct SeenSpot {
   Triple<Number> position;  // [-]  direction of its middle, in the ball's axes
@@ -48,7 +48,7 @@ struct SpotTouch {
   Triple<Number> moment{};  // [m]    likewise
 };
 
-/// Motion of a contact's normal n, as race_touch() knows it.
+/// Motion of a contact's normal n, as in race_touch().
 template <class Number>
 struct NormalMotion {
   Triple<Number> normal, along, across;  // [-]    across = n x along
@@ -123,7 +123,7 @@ struct ElementDepth {
   Number by_angle{};  // [m/rad]  its slope by the ball's angle about the ring's axis
 };
 
-/// `outward` and `along` from the ring's axis, in the ball's axes. The sine stands for the angle from a
+/// `outward` and `along` from the ring's axis, in the ball's axes. The sine approximates the angle from a
 /// scratch.
 template <class Number>
 ElementDepth<Number> element_depth(const ScratchNumbers& c, const Ball<Number>& ball, double turn,

@@ -98,7 +98,7 @@ struct LandConstants {
 };
 
 /// Rollers that touch one another without a cage, the same for all. Assumption: they meet along their whole
-/// length, whatever their profile and tilt, with the line contact of the races, whose law knows no radius.
+/// length, whatever their profile and tilt, with the line contact of the races, whose law contains no radius.
 struct NeighbourConstants {
   double stiffness = 0.0;  // [N/m^(10/9)]
   double damping = 0.0;    // [s/m]

@@ -41,14 +41,14 @@ using PaddedLayout = Layout<int, kPadding>;
 }
 
 /// Loads of all contacts at the last evaluation [N], lanes() entries each; of contacts cut into laminae also
-/// where they stand.
+/// their approaches.
 struct ContactLoads {
   const double* inner;
   const double* outer;
   const double* inner_approach = nullptr;  // [m]  elastic, in the middle of the roller; null: not cut
   const double* outer_approach = nullptr;  // [m]
   const double* end_displacement =
-      nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+      nullptr;  // [m]  displacement of the roller at x = l/2 further outward than in the middle
 };
 
 /// Constants of each roller, lanes() entries each.
@@ -136,7 +136,7 @@ class Engine {
   virtual void complete(const double* rhs, const double (&rate)[3], double* k) const = 0;
 };
 
-// Makers of engines for each instruction set; each stands in its own file with its own compiler options.
+// Makers of engines for each instruction set; each is in its own file with its own compiler options.
 
 Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers);
 Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers);

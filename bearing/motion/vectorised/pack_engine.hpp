@@ -346,7 +346,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
                                         e_y * cosine - e_x * sine, cage[5],
                                         motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
     } else {
-      PocketForce pushed;  // by the neighbours, in place of a pocket
+      PocketForce pushed;  // by the neighbours, instead of a pocket
       const bool touched =
           push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed.on_roller);
       if constexpr (WithSlopes) touching_ = touching_ || touched;

@@ -198,7 +198,7 @@ inline NumberPair drop_of(const LaminaConstants& laminae, int k) {
   return {laminae.inner_drop[k], laminae.outer_drop[k]};
 }
 
-/// No roller tilts: one half of the laminae stands for both.
+/// No roller tilts: one half of the laminae represents both.
 inline LaminaPackSums upright_sums(const LaminaConstants& laminae, const PackPair& elastic) {
   LaminaPackSums sums;
   for (int k = 0; 2 * k < laminae.count; ++k) {
@@ -228,14 +228,14 @@ inline LaminaPackSums tilted_sums(const LaminaConstants& laminae, const PackPair
   return sums;
 }
 
-/// How much more each contact is approached at x = l/2 where the roller stands at `end_displacement`, the
-/// bore at `outer_end_displacement`.
+/// Additional approach of each contact at x = l/2 with the roller at `end_displacement`, the bore at
+/// `outer_end_displacement`.
 inline PackPair end_displacements(const Pack& end_displacement, const Pack& outer_end_displacement) {
   return {-end_displacement, end_displacement - outer_end_displacement};
 }
 
-/// How a pack of rollers stands in its contacts and tilts: motion::LaminaStand, and the rate of the
-/// end displacement with its slopes.
+/// Approaches and tilt of a pack of rollers: motion::LaminaStand, and the rate of the end displacement with
+/// its slopes.
 struct LaminaStand {
   Pack inner_approach{}, outer_approach{}, end_displacement{};  // [m]
   Pack rate{};                                                  // [m/s]  of the end displacement
