@@ -1,4 +1,4 @@
-// A contact that rolls and spins by itself, the model spin-film, and its film at given loads and speeds.
+// A single contact that rolls and spins, the model spin-film, and its film at given loads and speeds.
 #pragma once
 
 #include <optional>
@@ -41,7 +41,7 @@ struct ContactOfBodies {
   std::variant<EllipseOfContact, LineOfContact> shape{};
   double modulus = 0.0;  // [Pa]  E/(1 - nu^2) for like bodies
 
-  /// As the regressions know it; of a line with the ellipticity 1.
+  /// As used in the regressions; of a line with the ellipticity 1.
   bearing::film::EllipticalContact ellipse() const;
 };
 template <class Visitor>

@@ -113,7 +113,7 @@ struct CoupledReport {
   CoupledReport& operator+=(const CoupledReport& later);
 };
 
-/// Goes on from where it stands with each call of advance().
+/// Continues from its present state with each call of advance().
 class CoupledRun {
  public:
   /// The participants must outlive it. Throws std::invalid_argument for options without meaning, or as
@@ -122,12 +122,12 @@ class CoupledRun {
 
   /// All participants to their balance at `time` [s].
   void initialize(double time);
-  /// From the last values of `history`, where the participants stand already; up to two before them help the
-  /// first windows to their order.
+  /// From the last values of `history`, which is the present state of the participants; up to two before them
+  /// help the first windows to their order.
   void start_from(const InterfaceHistory& history);
 
-  /// Over so many windows. What goes wrong is in the report, which is of this call alone; the run then stands
-  /// at the last good window.
+  /// Over so many windows. Errors are in the report, which is of this call only; the run then is at the last
+  /// good window.
   CoupledReport advance(long windows, const WindowObserver& observer = {});
 
   const InterfaceValues& values() const { return history_.back(); }

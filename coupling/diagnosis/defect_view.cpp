@@ -60,7 +60,7 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
     throw std::invalid_argument(
         "order tracking: found a shaft that is stationary or turns back; required: one that rotates");
   AngleSignal out{.per_revolution = std::ceil(two_pi / steps.minCoeff())};
-  // Interpolation wants neighbours on both sides.
+  // Interpolation requires neighbours on both sides.
   const Eigen::Index edge = std::min(kReach, samples / 4);
   const double begin = turned[edge], end = turned[samples - 1 - edge];
   const double spacing = two_pi / out.per_revolution;
@@ -160,8 +160,8 @@ std::vector<ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
   for (const Scratched one : scratched) {
     const std::optional<double> pass = defect_frequency(one, at.bearing);
     if (!pass) continue;
-    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin
-    // stands.
+    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin is
+    // stationary.
     if (one == Scratched::outer) add(*pass, defect_name(one), at.planet, "planet", 0);
     if (one == Scratched::inner) add(*pass, defect_name(one), 0.0, "", 0);
     if (of_element(one)) {

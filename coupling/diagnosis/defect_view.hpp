@@ -14,8 +14,8 @@
 
 namespace orbearing::diagnosis {
 
-// Order tracking: a signal of a machine whose speed changes, sampled anew at even angles of one of its
-// shafts, so that what turns with it stands still in the spectrum.
+// Order tracking: a signal of a machine whose speed changes, sampled anew at equal angles of one of its
+// shafts, so that the orders of that shaft are constant in the spectrum.
 
 /// A signal at even angles.
 struct AngleSignal {

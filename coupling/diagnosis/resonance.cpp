@@ -56,7 +56,7 @@ std::vector<ModesAtSpeed> modes_between(double lowest, double highest, const Mod
   for (double power = first; power <= last; power += 1.0) try {
       points.push_back(modes_at(kRadiansPerSecond * std::pow(kSpeedRatio, power)));
     } catch (const std::runtime_error&) {
-      continue;  // no balance of the bearing there; its point of the sweep, if there is one, says so
+      continue;  // no equilibrium of the bearing there; its point of the sweep, if any, reports it
     }
   return points;
 }

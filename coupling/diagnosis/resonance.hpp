@@ -46,7 +46,7 @@ using ModesAt = std::function<ModesAtSpeed(double speed)>;
 /// All meetings of harmonics 1 to 4 between the first and the last of `points`, by order, then by speed.
 /// `points` say between which of them a meeting is; it is found by the modes at its own speed. Left out where
 /// these cannot be computed.
-/// @param set whose teeth and places of planets decide what is excited
+/// @param set whose teeth and planet angles determine the excited modes
 std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
                               const ModesAt& modes_at);
 

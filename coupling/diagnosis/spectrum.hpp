@@ -1,6 +1,6 @@
-// Spectra of signals sampled at even times, and envelopes of bands. Nothing here knows a bearing. The
-// transform is that of Eigen (KissFFT), which comes with a package that the program needs anyhow, under a
-// free licence.
+// Spectra of signals sampled at equal times, and envelopes of bands. Nothing here is specific to bearings.
+// The transform is that of Eigen (KissFFT), which comes with a package that the program requires anyhow,
+// under a free licence.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // Functions of FMI 3.0 for what these FMUs have not: other types of variables, clocks, events, configuration,
 // derivatives by time, model exchange and scheduled execution. They exist since importers look all of them
-// up; each says what is missing.
+// up; each reports what is missing.
 #include "coupling/fmu/fmi3.hpp"
 #include "coupling/fmu/guard.hpp"
 

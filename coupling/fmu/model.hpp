@@ -32,9 +32,9 @@ ModelFacts facts_of(const NumberTable& numbers);
 enum class Role { time, parameter, constant, input, output };
 
 struct Variable {
-  std::uint32_t reference = 0;  // place in the table
+  std::uint32_t reference = 0;  // position in the table
   Role role = Role::time;
-  std::size_t index = 0;  // place among those of its role in the facts
+  std::size_t index = 0;  // position among those of its role in the facts
   std::string name;
   std::string unit;
   std::string meaning;

@@ -87,7 +87,7 @@ IntegrationReport reported(const RightHandSide& derivative, const Eigen::VectorX
   return report;
 }
 
-/// Dopri5 in progress, started as often as its user wants; shows the state at the output times.
+/// Dopri5 in progress, started as often as its user requires; shows the state at the output times.
 class DenseRun {
  public:
   DenseRun(const OutputTimes& output, const Observer& observe, Run& run, const ControlledDopri5& controlled,

@@ -65,7 +65,7 @@ class PiecesRun : public DenseRun {
     going_on_ = true;
   }
 
-  // A step made short to end somewhere says little of the step that the error allows, if it was not refused.
+  // A step cut short does not show the step that the error allows, if it was not refused.
   void take_over(Eigen::VectorXd& x) {
     x = view(stepper_.current_state());
     const double suggested = stepper_.current_time_step();
@@ -77,7 +77,7 @@ class PiecesRun : public DenseRun {
   PieceSystem system_;
   double wanted_step_;      // [s]  that the error allows
   double attempted_ = 0.0;  // [s]
-  bool going_on_ = false;   // the stepper stands where the last step ended
+  bool going_on_ = false;   // the stepper is at the end of the last step
   State start_;
 };
 

@@ -60,7 +60,7 @@ class StepControl {
   static constexpr double kSafety = 0.85;
   static constexpr double kLeastShare = 0.2;
   static constexpr double kMostGrowth = 1.25;
-  static constexpr double kCut = 0.99;         // of the step asked for
+  static constexpr double kCut = 0.99;         // of the intended step
   static constexpr double kLeastError = 1e-4;  // smaller ones would not let a step grow faster
   // Powers of the last error and of the one before, over the order: of all that were tried those with fewest
   // refusals that cost no time (README.md).

@@ -405,7 +405,7 @@ bool pin_links_rows(const PlanetaryDrivetrain& drivetrain) {
          (drivetrain.seats.ends != bearing::PinEnds::both || drivetrain.bearings_per_planet > 2);
 }
 
-// A pin links the rows on it: rows in the middle of one that both walls hold give way further, and carry
+// A pin links the rows on it: rows in the middle of one that both walls hold deflect further, and carry
 // less. Its compliance is that of the beam, in proportion so that its mean over the rows is that of
 // support.stiffness, which the springs of the rows contain.
 void put_pins(const PlanetaryDrivetrain& drivetrain, spatial::SpatialSet& set) {
@@ -513,7 +513,7 @@ CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
   revolution.angle.resize(angles.all);
   for (Index i = 0; i < angles.all; ++i) revolution.angle[i] = angles.at(i);
   revolution.load.resize(angles.all, turned.planets() * rows);
-  PlanetaryDrivetrain tilted = drivetrain;  // by this balance, whatever else a case says of the planets' tilt
+  PlanetaryDrivetrain tilted = drivetrain;  // by this equilibrium, for any setting of the planets' tilt
   tilted.seats = {};
   tilted.misalignment = {};
   const BearingDuty even = bearing_duty(tilted, geometry);

@@ -97,7 +97,7 @@ gearset::spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                                          double base_helix_angle);
 
 /// The same with bodies that move. Where their lengths are not known, sun, ring and planets are discs of the
-/// face width, and so is the carrier; what holds the ring stands evenly around its base circle.
+/// face width, and so is the carrier; the support of the ring is uniform around its base circle.
 gearset::spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain,
                                        const gearset::dynamics::SetParameters& bodies,
                                        double base_helix_angle);

@@ -58,7 +58,7 @@ void describe(Visitor& visit, RunUp& m) {
                  .where = {"input.acceleration"}}));
 }
 
-/// How the bore stands on the pin. Affects bearings cut into laminae only.
+/// Misalignment of the bore on the pin. Affects bearings cut into laminae only.
 struct Misalignment {
   double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
   double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
@@ -116,7 +116,7 @@ struct PinSeats {
   std::optional<double> diameter;  // [m]  of a flexpin, within its sleeve; none: the bore of the bearing
   std::optional<double>
       carrier_twist;                // [N m/rad]  of one wall of the carrier against the other; none: rigid
-  double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end stands outward
+  double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end is outward
   double tangential_inclination = 0.0;  // [rad]  its positive end leads
 };
 

@@ -119,7 +119,7 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
 }
 
 /// A set that is stated by masses and stiffnesses alone. All optional values of `choice` must be there.
-/// @param places [rad] of the planets; empty: at equal steps
+/// @param angles [rad] of the planets; empty: at equal steps
 gearset::dynamics::SetParameters lumped_set(const GearDynamicsChoice& choice, int planets,
                                             double pressure_angle, const std::vector<double>& positions = {});
 

@@ -37,9 +37,9 @@ constexpr int kLinearRounds = 3;
 constexpr double kSameForce = 1e-9;          // [-]  of the largest force
 constexpr double kSameTangentForce = 1e-10;  // [-]  the same on tangents
 
-// How far the bearings of a planet and their pin give way to a force that they exert on it.
+// Deflection of the bearings of a planet and of their pin under a force that they exert on it.
 struct Give {
-  Vector2d displacement;  // [m]    of the planet from the place of its pin
+  Vector2d displacement;  // [m]    of the planet from the position of its pin
   Matrix2d compliance;    // [m/N]  -d(displacement)/d(force)
 };
 
@@ -53,8 +53,9 @@ gearset::MeanLoads gears_with_share(gearset::MeanLoads gears, double share) {
   return gears;
 }
 
-// An elastic planet gives way between its teeth too. What both meshes give way beyond the stiffness that the
-// gears have is as much as the whole planet displaced along the force of its meshes: its rotation is free.
+// An elastic planet also deflects between its teeth. The deflection of both meshes beyond the stiffness that
+// the gears have is equivalent to a displacement of the whole planet along the force of its meshes: its
+// rotation is free.
 class TeethOnRim {
  public:
   TeethOnRim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -288,10 +289,10 @@ double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
   return (now - before).colwise().norm().maxCoeff() / now.colwise().norm().maxCoeff();
 }
 
-// Forces where gears balance on bearings that give way along their tangents at the forces `tried`: only a
-// start for the next round, and the same search without a bearing in it. On flanks that stay in contact it is
-// linear, and one step of Newton's method ends it; where they change, mixing follows. Forces after
-// kTangentRounds where it does not end.
+// Forces at equilibrium of the gears on bearings that deflect along their tangents at the forces `tried`:
+// only a start for the next round, and the same search without a bearing in it. On flanks that stay in
+// contact it is linear, and one step of Newton's method ends it; where they change, mixing follows. Forces
+// after kTangentRounds where it does not end.
 Matrix2Xd balanced_on_tangents(StaticSet& set, double stiffness, const std::vector<Give>& gives,
                                const Matrix2Xd& tried, const Matrix2Xd& first) {
   Matrix2Xd at = tried, found = first, offset(2, tried.cols());

@@ -12,7 +12,7 @@
 
 namespace orbearing::study {
 
-// The linear law that stands best for a bearing as it moved: stiffness, damping and offset by least squares.
+// The linear law that best fits the motion of a bearing: stiffness, damping and offset by least squares.
 
 /// A law and how well it holds. Shares are of its forces under the last motion at the orders that were
 /// fitted.

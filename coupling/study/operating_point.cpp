@@ -424,7 +424,7 @@ PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeom
     if (fidelity != Fidelity::dynamic) return coupled_point(drivetrain, geometry, duties.front(), fidelity);
     if (moves_with_its_gears(drivetrain, drag.value_or(0.0))) try {
         return coupled_point(drivetrain, geometry, duties.front(), Fidelity::monolithic);
-      } catch (const std::runtime_error&) {  // its row says which of both it is
+      } catch (const std::runtime_error&) {  // its row states which of both it is
       }
     return one_way_point(drivetrain, geometry, duties);
   };

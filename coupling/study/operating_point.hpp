@@ -50,9 +50,9 @@ struct LoadDistribution {
 /// Results of a bearing cut into laminae only. Arrays (positions, laminae) have the laminae fastest.
 struct LaminaRecord {
   std::vector<double> lamina_position;  // [m]    (laminae)  middles, from the middle of the roller
-  std::vector<double> inner_load;       // [N]    (places, laminae)
-  std::vector<double> outer_load;       // [N]    (places, laminae)
-  std::vector<double> roller_tilt;      // [rad]  (places)  outward at positive lamina places
+  std::vector<double> inner_load;       // [N]    (positions, laminae)
+  std::vector<double> outer_load;       // [N]    (positions, laminae)
+  std::vector<double> roller_tilt;      // [rad]  (positions)  outward at positive lamina positions
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore's axis against the pin's
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();     // [N m]  of the rollers on the bore, along its tilt
 };
@@ -205,7 +205,7 @@ inline constexpr double kLightLoad = 1.0;  // [-]
 /// By how much drag_slip() and the slip of a cage in motion differ: docs/slip_and_branches.md.
 inline constexpr double kDragSlipError = 0.03;  // [-]
 
-/// Whether a point asked for one way is solved as one system with its gears. Driven one way the bore is free
+/// Whether a point with one-way drive is solved as one system with its gears. Driven one way the bore is free
 /// under a stated force, while meshes as stiff as the bearing hold it in fact. Rollers without a cage strike
 /// each other and the races: lives on a free bore are up to an eighth too short. A lightly loaded bearing
 /// whirls on a free bore, and its own whirl gives it the load not to skid. False where gears and bearings

@@ -138,8 +138,8 @@ struct PlanetVibration {
 
 /// The drivetrain at its power and speed with `scratched` bearings, of which the first gives the
 /// carrier-frame signal; without any, the first bearing of the first planet does. `progress` gets the share
-/// done, if any. Throws std::invalid_argument for what coupled_model() refuses; a run that ends early says so
-/// in the report.
+/// done, if any. Throws std::invalid_argument for what coupled_model() refuses; a run that ends early states
+/// it in the report.
 PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
                                  const std::vector<system::ScratchedPlanet>& scratched,
                                  const PlanetSampling& sampling,

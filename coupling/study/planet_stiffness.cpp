@@ -65,9 +65,9 @@ LoadedRollers loaded_rollers(const bearing::RaceEquilibrium& problem) {
   return rollers;
 }
 
-// By deflections of both meshes and displacement of the bore against its pins: from what each mesh force and
-// each roller's load, the same in all bearings, moves, since rollers give way far more than short waves of
-// the race.
+// By deflections of both meshes and displacement of the bore against its pins: from the displacements by each
+// mesh force and by each roller's load, the same in all bearings, since rollers deflect far more than short
+// waves of the race.
 Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& rollers, int bearings) {
   const Index count = rollers.stiffness.size();
   MatrixXd moved(2 + count, 2 + count);

@@ -30,7 +30,7 @@ class BearingsAtRest {
 
   /// All bearings of a planet: one where they are alike.
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty);
-  /// One bearing, tilted as the duty says. Throws std::runtime_error where it finds no balance.
+  /// One bearing, with the tilt of the duty. Throws std::runtime_error if there is no equilibrium.
   QuasiStaticBearing one(const BearingDuty& duty);
 
   const bearing::laminae::LaminaBearing& bearing() const { return bearing_; }
@@ -52,7 +52,7 @@ bool is_rated_on_laminae(const PlanetaryDrivetrain& drivetrain);
 /// The same drivetrain with contacts cut into the least number of laminae that the standard allows.
 PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain);
 
-/// Least film [m] under a roller that rolls on `race` with `load` [N], heated where the case asks for it; NaN
+/// Least film [m] under a roller that rolls on `race` with `load` [N], heated if the case has it; NaN
 /// without oil.
 double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           bearing::Race race, const bearing::Film& film, double load);

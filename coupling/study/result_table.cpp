@@ -423,7 +423,7 @@ void TableBuilder::take(const std::vector<std::vector<double>>& values) {
 
 int TableBuilder::add_cell(const Cell& cell, std::vector<TableCell>& cells) const {
   TableCell& added = cells.emplace_back(TableCell{cell.lower, cell.upper, {}, {}, cell.error});
-  if (cell.failed) {  // its error says that its value is none
+  if (cell.failed) {  // its error marks a missing value
     added.terms.emplace_back();
     added.weights.assign(target_.results, 0.0);
   } else {

@@ -69,7 +69,7 @@ class Recorder {
   }
   double interval() const { return 1.0 / (static_cast<double>(LowPass::kOversampling) * into_.rate); }
 
-  /// `state` gives all of the Instant but its acceleration and is asked for what is kept alone.
+  /// `state` gives all of the Instant but its acceleration; it is called only for samples that are kept.
   template <class State>
   void take(const Eigen::Vector2d& acceleration, const State& state) {
     low_pass_.take(acceleration);

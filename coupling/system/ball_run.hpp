@@ -1,5 +1,4 @@
-// A ball bearing by itself, run in time under given speeds and loads: run-up, settling, then what is
-// observed.
+// A single ball bearing, run in time under given speeds and loads: run-up, settling, then the observed part.
 #pragma once
 
 #include <functional>
@@ -104,7 +103,7 @@ struct BallSeries {
   std::vector<double> cage_x, cage_y;               // [m]
   std::vector<double> pocket_load;                  // [N]  largest of all balls since the sample before
   std::vector<double> torque;                       // [N m]  of the drive of the inner ring
-  std::vector<double> inner_x, inner_y, inner_z;    // [m]  place of the inner ring
+  std::vector<double> inner_x, inner_y, inner_z;    // [m]  position of the inner ring
   std::vector<double> first_angle;                  // [rad]  of the first ball
   std::vector<double> first_inner, first_outer;     // [N]  loads of the first ball
   std::vector<bearing::balls::BallPowerLoss> loss;  // [W]

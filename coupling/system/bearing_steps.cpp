@@ -220,7 +220,7 @@ StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& b
   return bounds;
 }
 
-// A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off
+// A bar that has moved by half the thickness of its rollers holds them no longer; a roller off
 // the pitch circle of the displaced rings by as much is on the other side of a race.
 std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {

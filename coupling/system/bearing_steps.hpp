@@ -35,7 +35,7 @@ Eigen::VectorXd allowed_errors(const bearing::motion::BearingModel& model, doubl
 std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBearing& bearing,
                                              const Eigen::VectorXd& allowed_error);
 
-/// Whether oil that is pressed out (bearing/contact/squeeze_film.hpp) takes the energy of a roller's impacts
+/// Whether the squeeze film (bearing/contact/squeeze_film.hpp) takes the energy of a roller's impacts
 /// on both races: at pure rolling and the film of the unloaded contact its resistance is kDampedImpact of
 /// critical or more, with the stiffness that the contact has at 1 N. The reducer's bearing with its oil has
 /// 0.7 at 1000, 0.26 at 6000 and 0.13 at 12000 rpm; with a thousandth of its viscosity rollers bounce as
@@ -66,8 +66,8 @@ double slowness(const bearing::motion::BearingModel& model, double cage_speed);
 /// The reducer's bearing passes a roller in as many longest steps at 850 rpm.
 inline constexpr double kStepsOfPassage = 1200.0;  // [-]
 
-/// Which body of `model` vibrates fastest by itself, on what, which inputs set it and what to change: for the
-/// reason of a run in which no step was small enough.
+/// The body of `model` with the fastest vibration, its support, the inputs that determine it and what to
+/// change: for the reason of a run in which no step was small enough.
 std::string fastest_vibration(const bearing::motion::BearingModel& model);
 
 /// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
@@ -110,9 +110,9 @@ StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
 StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
                           const Eigen::VectorXd& allowed_error, double slow);
 
-/// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
-/// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out
-/// sideways, and its equations go on without bound.
+/// Empty while the cage holds its rollers and the rollers lie between the races; else which body has left its
+/// position, and by how much. Pockets hold a cage along the pitch circle only: one without a guiding land can
+/// leave sideways, and its equations go on without bound.
 std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 

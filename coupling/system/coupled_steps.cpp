@@ -298,8 +298,8 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
   return integration::kAccepted;
 }
 
-// Substepped bearings do to the gears what the step of all did not know: the gears take up the difference
-// of the impulses at the end of the step, so that momentum is kept.
+// Substepped bearings have forces on the gears that the step of all did not include: the gears take up the
+// difference of the impulses at the end of the step, so that momentum is conserved.
 void CoupledSteps::substep_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
                                std::vector<double>& x) {
   bool any = false;

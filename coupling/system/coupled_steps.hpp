@@ -129,7 +129,7 @@ struct CoupledStepOptions {
   long most_steps = 0;          // [-]  of one of these in one step
 };
 
-/// A controlled stepper as through_window() asks for.
+/// A controlled stepper as required by through_window().
 class CoupledSteps {
  public:
   CoupledSteps(const CoupledSystem& system, const CoupledStepOptions& options);
@@ -155,7 +155,7 @@ class CoupledSteps {
   std::vector<double> weight_;           // of one bearing
   std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
   std::vector<double> bearing_;          // state of one
-  gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not know
+  gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not include
   long substepped_ = 0;
 };
 

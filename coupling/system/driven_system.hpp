@@ -1,4 +1,4 @@
-// The vectorised bearing under prescribed inputs, as the linearly implicit stepper sees it.
+// The vectorised bearing under prescribed inputs, in the form for the linearly implicit stepper.
 #pragma once
 
 #include <algorithm>
@@ -140,7 +140,7 @@ class DrivenSystem {
   bearing::motion::DamageSums* sums_;
   bearing::vectorised::PortMatrix port_;
   bearing::motion::BoreReaction begin_;  // at the last linearisation
-  const double* known_ = nullptr;        // rate at the beginning, where it need not be asked for
+  const double* known_ = nullptr;        // rate at the beginning, if it need not be evaluated
   StageReactions reactions_;
   bearing::motion::BoreReaction impulse_;
 };

@@ -174,7 +174,7 @@ std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatS
 /// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all
 /// bodies have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last
 /// two states are the one of which the run has the viscosity and the one to which its heat leads:
-/// `kOutletError` apart at most, or the run says that it did not settle.
+/// `kOutletError` apart at most, or the run reports that it did not settle.
 BallRunResult run_heated_balls(const bearing::Bearing& bearing,
                                const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,

@@ -143,7 +143,7 @@ void Monolithic::advance(const Window& window) {
   const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
   if (following_)
     throw std::runtime_error("monolithic solution: found follow() before a window; required: windows alone");
-  if (smooth_) smooth_->forget();  // each window by itself
+  if (smooth_) smooth_->forget();  // each window separately
   const long most = system_.steps + setup_.bearing.most_steps;
   reached_ = window.begin;
   while (reached_ < window.end) {

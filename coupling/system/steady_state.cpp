@@ -25,7 +25,7 @@ using constants::two_pi;
 using integration::OutputTimes;
 
 constexpr double kLongestWindow =
-    4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
+    4.0;  // of a kinematic revolution: a stationary cage must not hold up the run
 // If loads are taken at every step, fewer states are sufficient for all other means:
 constexpr long kSamplesPerState = 5;            // of the series, for one state of the means
 constexpr double kGolden = 0.6180339887498949;  // [-]
@@ -177,7 +177,7 @@ class Observation {
 };
 
 // Windows in turn. One lasts a revolution of the cage: at the speed that it had in the window before, or at
-// the kinematic one where one interval holds for all; or as long as is asked for.
+// the kinematic one where one interval holds for all; or as long as is stated.
 class Windows {
  public:
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
@@ -212,7 +212,7 @@ class Windows {
  private:
   Motion& motion_;
   const SteadyStateOptions& options_;
-  double revolution_;  // [s]  of the cage at its kinematic speed, or of a window that is asked for
+  double revolution_;  // [s]  of the cage at its kinematic speed, or of a stated window
   Observation observation_;
   long per_window_;  // samples
   int begun_ = 0;    // windows on the way to the steady state

@@ -1,4 +1,4 @@
-// Bearings in motion, run in time until their means stand still, then observed over whole cage revolutions.
+// Bearings in motion, run in time until their means are steady, then observed over whole cage revolutions.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct SteadyStateOptions {
   double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
   double cage_drift = 1e-3;             // [-]  steady: cage speeds differ by no more of the kinematic one
   int least_windows = 2;                // [-]  before the criterion is checked
-  int most_windows = 20;                // [-]  before the run is observed all the same, and says so
+  int most_windows = 20;                // [-]  before the run is observed all the same, with a message
   int observed_windows = 3;             // [-]  averaged once steady; at least ten for reliable maxima
   long samples_per_window = 2000;       // [-]
   long series_samples = 500;            // [-]  of the last window, kept as time series
@@ -34,8 +34,8 @@ struct SteadyStateOptions {
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
   double load_error_share = 2e-5;  // [-]  of the elastic approach of the most loaded roller at rest, where
                                    //      that allows more
-  integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
-  BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
+  integration::IntegrationOptions integration;  // of a single bearing; allowed_error is filled in
+  BoreObserver on_bore = {};  // gets the observed windows of a single bearing, step by step; may be empty
   Look look = {};
   double window = 0.0;  // [s]  of a window; 0: a revolution of the cage
 };
@@ -135,7 +135,7 @@ struct RollingSpeeds {
 
 /// Result of a run. For several bearings, loads are as if all were passages of one.
 struct SteadyStateResult {
-  bool completed = false;  // false: `message` says why and the means hold what there was, if anything
+  bool completed = false;  // false: reason in `message`; the means are those so far, if any
   bool steady = false;     // false with completed: the means drifted to the end
   std::string message;
   bearing::motion::WindowStatistics statistics;             // over the observed windows
@@ -145,7 +145,7 @@ struct SteadyStateResult {
   BearingSeries series;  // of the first bearing in the last window
   RollingSpeeds rolling;
   double duration = 0.0;        // [s]  from the start to the end of what was observed
-  Eigen::VectorXd final_state;  // of a bearing by itself, in the order of `layout`
+  Eigen::VectorXd final_state;  // of a single bearing, in the order of `layout`
   bearing::motion::StateLayout layout{};
   integration::IntegrationReport report;  // summed over all windows; smallest step of all
 
@@ -157,7 +157,7 @@ struct SteadyStateResult {
 /// all.
 bearing::motion::WindowStatistics pooled(const std::vector<bearing::motion::WindowStatistics>& bearings);
 
-/// Whether the means stand still from one window to the next.
+/// Whether the means are steady from one window to the next.
 bool is_steady(const bearing::motion::WindowStatistics& before, const bearing::motion::WindowStatistics& now,
                double kinematic_cage_speed, const SteadyStateOptions& options);
 
@@ -173,7 +173,7 @@ double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& o
 SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
                                       const SteadyStateOptions& options);
 
-/// One bearing by itself at `point`, from the state `start` (the final state of a neighbouring operating
+/// A single bearing at `point`, from the state `start` (the final state of a neighbouring operating
 /// point), without one from its quasi-static state. Throws std::invalid_argument for input that
 /// bearing_model() refuses, and for a run-up.
 SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,

@@ -71,7 +71,7 @@ namespace {
 
 constexpr double kIdle = 1e-3;  // of the greatest load: less takes nothing from the life
 
-// Pressures [Pa] (laminae, places) on one race, at some of the cage angles.
+// Pressures [Pa] (laminae, positions) on one race, at some of the cage angles.
 Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
                              const Profile& profile, const QuasiStaticResult& loads, int angles) {
   const bool inner = race == Race::inner;

@@ -1,4 +1,4 @@
-// Life and pressure over drops and tilts, computed in parallel, and which designs are worth a thought.
+// Life and pressure over drops and tilts, computed in parallel, and efficient designs.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ class RollerPressure {
 /// The most loaded roller on one race, over all bearings and cage angles.
 struct WorstRoller {
   double load = 0.0;   // [N]
-  double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive places
+  double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive positions
   double angle = 0.0;  // [rad]
 };
 

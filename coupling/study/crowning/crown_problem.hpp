@@ -110,12 +110,12 @@ struct DutyLoads {
   double tilt = 0.0;        // [rad]  largest of a bore against its pin
   double load_share = 1.0;  // [-]    largest load of a bearing over their mean
 
-  /// [N]  (laminae, places): what does the damage that the bearings take on the mean, as in a sweep.
+  /// [N]  (laminae, positions): loads that do the mean damage of the bearings, as in a sweep.
   Eigen::ArrayXXd inner_lamina_load() const;
   Eigen::ArrayXXd outer_lamina_load() const;
 };
 
-/// Loads that do the mean damage of `loads` (bearings)(laminae, places): (mean of q^4)^(1/4).
+/// Loads that do the mean damage of `loads` (bearings)(laminae, positions): (mean of q^4)^(1/4).
 Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads);
 
 /// Under `profile`. Where the tilt is stated, searches start from `near`, if given: the loads of a profile
@@ -137,8 +137,8 @@ DutyHours lives_at(const CrownProblem& problem, const DutyLoads& loads, std::siz
 /// The governing one of them.
 double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
-/// By the standards, of loads [N] (laminae, places) that hold what ends and tilts do, without stress riser.
-/// The governing life; L10r where that is Lundberg and Palmgren's.
+/// By the standards, of loads [N] (laminae, positions) that include the effects of ends and tilts, without
+/// stress riser. The governing life; L10r where that is Lundberg and Palmgren's.
 double hours_without_riser(const CrownProblem& problem, const Eigen::ArrayXXd& inner,
                            const Eigen::ArrayXXd& outer, std::size_t duty);
 
