@@ -38,7 +38,7 @@ struct SearchLimits {
   int most_iterations = 200;
 };
 
-/// How a search ended. What did not converge is the last iterate: ask before use.
+/// Result of a search. Without convergence it is the last iterate: check before use.
 struct SearchReport {
   bool converged = false;
   int iterations = 0;

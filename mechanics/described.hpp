@@ -1,4 +1,4 @@
-// How parameters are described: one row for each member of a structure of parameters, beside the structure.
+// Descriptions of parameters: one row for each member of a structure of parameters, next to the structure.
 // Case files, their schema, the list of assumptions and the variables of FMUs all come from these rows.
 #pragma once
 
@@ -142,7 +142,7 @@ enum class InFmu {
 };
 
 /// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
-/// value, where it is given and not zero. Of several paths with | between one has to be so.
+/// value, where it is given and not zero. Several paths, with | between: one must meet it.
 struct Where {
   std::string_view path{};
   std::string_view value{};
@@ -182,7 +182,7 @@ struct Name {
 template <class E, std::size_t n>
 using Names = std::array<Name<E>, n>;
 
-/// How a case writes a value of an enumeration.
+/// Name by which a case writes a value of an enumeration.
 template <class E>
 constexpr std::string_view text_of(E value) {
   for (const auto& name : names_of(value))

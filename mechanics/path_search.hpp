@@ -20,7 +20,7 @@ struct PathForces {
   double scale = 0.0;         // [N]    the largest of the forces that balance
 };
 
-/// How a path ended: `converged` where share 1 was reached.
+/// Result of a path search: `converged` if share 1 was reached.
 struct PathReport {
   bool converged = false;
   int steps = 0;

@@ -1,4 +1,4 @@
-// How results are described: each value once, beside the structure of results that holds it.
+// Descriptions of results: each value once, next to the structure of results that holds it.
 // JSON, CSV, files of arrays, text and the numbers that rows of validation point at all come from the record
 // which `describe(record, result)` fills; only the writers of records contain formats.
 //
