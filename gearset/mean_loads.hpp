@@ -56,7 +56,7 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 MeanLoads member_loads(const MemberRatios& ratios, const Drive& drive);
 
 /// Mean loads of a set whose members turn and are loaded as `ratios` of what `drive` puts into the
-/// drivetrain; drive.member has no meaning here. Where the carrier would turn backwards the set is seen from
+/// drivetrain; drive.member has no meaning here. If the carrier would turn backwards, the set is viewed from
 /// its other side, so that the frame of the planet still runs with it.
 /// @throws std::invalid_argument if power or speed is not positive
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,

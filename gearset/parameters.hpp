@@ -25,7 +25,7 @@ constexpr described::Names<SunThrust, 2> names_of(SunThrust) {
   return {{{SunThrust::housing, "housing"}, {SunThrust::carrier, "carrier"}}};
 }
 
-/// Basic rack profile; lengths in units of the module (ISO 53). Of helical teeth it is that of the section
+/// Basic rack profile; lengths in units of the module (ISO 53). For helical teeth it is that of the section
 /// normal to them, and the module is the normal one [ISO21771].
 struct BasicRack {
   double pressure_angle = 0.3490658503988659;  // [rad]     20 degrees

@@ -80,7 +80,7 @@ double find_form_radius(const ExternalTooth& tooth) {
   return std::hypot(tooth.base_radius, rack_flank_end(tooth));
 }
 
-// Eqs. (31) and (33). What external gears and rings have alike.
+// Eqs. (31) and (33). Common data of external gears and rings.
 template <typename Tooth>
 Tooth reference_tooth(int teeth, double shift, double module, const BasicRack& rack, double helix_angle) {
   assert(teeth > 0 && module > 0.0);

@@ -171,8 +171,8 @@ void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& pr
     problems.push_back({{index}, {}, "no member of a set", "a shaft that rotates a member is required"});
 }
 
-// Shafts that turn one member and nothing else. Where all speeds are known all the same, they leave their set
-// without torque: it idles. Else they are the likeliest slip.
+// Shafts that turn one member and nothing else. If all speeds are known, they leave their set without torque:
+// it idles. Else they are the likeliest error.
 Problems floating_members(const Arrangement& arrangement) {
   Problems problems;
   for (std::size_t index = 0; index < arrangement.shafts.size(); ++index) {

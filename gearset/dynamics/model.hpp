@@ -37,7 +37,7 @@ struct SetLayout {
 /// Name and unit of each variable in the order of the state, e.g. "planet_3_y [m]"; planets count from 1.
 std::vector<std::string> variable_names(const SetLayout& layout);
 
-// How far teeth and bearings are pressed together, as linear functions of two bodies' positions.
+// Deflections of teeth and bearings, as linear functions of two bodies' positions.
 
 /// Coefficients of (x, y, u) of a central member and of a planet in one deflection [-].
 struct DeflectionVector {

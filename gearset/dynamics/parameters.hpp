@@ -83,7 +83,7 @@ described::Row<Member> bearing_stiffness_row(Member& stiffness) {
                 .fmu = InFmu::parameter});
 }
 
-/// How the housing holds a central member. Rotations count as u = radius x angle.
+/// Support of a central member by the housing. Rotations count as u = radius x angle.
 struct Support {
   double stiffness = 0.0;            // [N/m]    x and y; 0: floating
   double damping = 0.0;              // [N s/m]  x and y

@@ -26,7 +26,8 @@ class StaticSet {
   Eigen::VectorXd at(const Eigen::Matrix2Xd& offset);
   /// Force [N] of the bearings on each planet (2, planets) in such a state.
   Eigen::Matrix2Xd bearing_forces(const Eigen::VectorXd& state, const Eigen::Matrix2Xd& offset) const;
-  /// How they follow the pins [N/m] (2 planets, 2 planets), while the flanks in contact stay the same.
+  /// Their derivatives by the offsets of the pins [N/m] (2 planets, 2 planets), while the flanks in contact
+  /// stay the same.
   const Eigen::MatrixXd& forces_by_offset() const { return forces_by_offset_; }
 
  private:

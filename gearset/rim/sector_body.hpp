@@ -55,7 +55,7 @@ SectorMesh sector_mesh(const RimSection& section, const Fineness& fineness);
 /// and along the circumference at their own position.
 using NodalLoad = Eigen::VectorXcd;  // (2 nodes)  radial, circumferential of each node
 
-/// How the race is held.
+/// Constraint of the race.
 enum class Held {
   on_average,  // on the whole it neither turns nor shifts; free else
   rigidly,     // it does not move at all

@@ -20,7 +20,7 @@ using Imbalance = mechanics::Imbalance<Eigen::Dynamic>;
 
 enum Body : int { housing = -1, carrier = 0, sun = 1, first_planet = 2 };
 
-// How far a point of a body moves along a direction, by its coordinates.
+// Displacement of a point of a body along a direction, by its coordinates.
 struct Motion {
   int body = housing;
   Row row = Row::Zero();

@@ -8,8 +8,8 @@
 
 namespace orbearing::gearset {
 
-// How far the flanks of a pair of teeth are apart before and after its path of contact, and where they
-// touch as deflection closes that gap.
+// Gap of the flanks of a pair of teeth before and after its path of contact, and their point of contact as
+// deflection closes that gap.
 
 /// Which end of the path of contact.
 enum class PathEnd { begin, end };
