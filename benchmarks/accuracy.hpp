@@ -1,5 +1,5 @@
-// How close a run's means are to the reference, and the loosest tolerance at which an integrator is close
-// enough.
+// Differences of a run's means from the reference, and the loosest tolerance at which an integrator is
+// accurate enough.
 #pragma once
 
 #include <vector>

@@ -20,7 +20,7 @@ struct RunMeans {
   double cage_speed = 0.0;  // [rad/s]  relative to the carrier
 };
 
-/// How a run went.
+/// Result of a run.
 struct Run {
   Eigen::VectorXd state;      // at the end
   RunMeans means;             // of an observed run
@@ -29,7 +29,7 @@ struct Run {
   double wall_seconds = 0.0;  // [s]
 };
 
-/// How long, and how closely watched. Unwatched runs are for timing.
+/// Duration and samples of a run. Runs without samples are for timing.
 struct Span {
   double duration = 0.0;  // [s]
   long samples = 0;       // [-]  0: loads are not gathered
