@@ -98,7 +98,7 @@ constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
   return {{{ContactLaw::palmgren, "palmgren"}, {ContactLaw::iso16281, "iso16281"}}};
 }
 
-/// How a film takes part in the approach of roller and race.
+/// Effect of a film on the approach of roller and race.
 enum class FilmApproach {
   added,               // elastic approach = geometric approach + film
   literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
@@ -109,7 +109,7 @@ constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
   return {{{FilmApproach::added, "added"}, {FilmApproach::literature_variant, "as-printed"}}};
 }
 
-/// How a race moves relative to the load: every point of a turning one passes the loaded zone.
+/// Motion of a race relative to the load: every point of a rotating one passes the load zone.
 enum class RaceMotion { rotating, stationary };
 
 struct RaceMotions {
@@ -343,7 +343,7 @@ void describe(Visitor& visit, InertiaSwitches& m) {
                 of_a_switch));
 }
 
-/// How the frame of the bearing moves: at rest for a bearing in a housing.
+/// Motion of the frame of the bearing: at rest for a bearing in a housing.
 struct CarrierMotion {
   double speed = 0.0;         // [rad/s]    Omega
   double acceleration = 0.0;  // [rad/s^2]  dOmega/dt

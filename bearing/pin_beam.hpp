@@ -8,7 +8,7 @@
 
 namespace orbearing::bearing {
 
-/// How the carrier holds a pin.
+/// Support of a pin by the carrier.
 enum class PinEnds {
   both,     // it rests in the middles of both walls
   one,      // clamped in the wall at its negative end

@@ -1,5 +1,5 @@
-// Bearings as a catalogue prints them: boundary dimensions and basic ratings. What a catalogue does not
-// print, rollers and balls, is inferred.
+// Bearings as a catalogue prints them: boundary dimensions and basic ratings. Data that a catalogue does not
+// print, rollers and balls, are inferred.
 #pragma once
 
 #include <cstddef>

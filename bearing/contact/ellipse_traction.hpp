@@ -20,7 +20,7 @@ namespace orbearing::bearing {
 // packs and both with their slopes. A law gives friction: stress over pressure. No header of a library here:
 // files compiled for special instruction sets include it.
 
-/// How the oil between a ball and its race is sheared.
+/// Law of the shear of the oil between a ball and its race.
 enum class ShearLaw {
   coulomb,         // friction coefficient, rounded at rest over a sliding speed
   limiting_shear,  // Newtonian film up to a stress in proportion to the pressure [BairWiner1979]

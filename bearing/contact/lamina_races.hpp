@@ -5,8 +5,8 @@
 // contacts within some microseconds.
 //
 // The film of the straight contact turns the approach into the elastic approach in the middle; the laminae
-// take that, so that a straight roller that is not tilted has the loads of the line contact. What a roller
-// does against the change of the races' tilt over its orbit, of the order of the tilt squared, is left out.
+// take that, so that a straight roller that is not tilted has the loads of the line contact. The moment of a
+// roller against the change of the races' tilt over its orbit, of the order of the tilt squared, is left out.
 #pragma once
 
 #include "bearing/contact/lamina_contact.hpp"

@@ -68,8 +68,8 @@ struct PocketLaw {
 
   bool with_film() const { return viscous > 0.0; }
 
-  /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller whose radius is larger
-  /// than stated by `deviation` [m]; negative where they do not touch.
+  /// Compression [m] of the bar ahead (`bar` = 1) or behind (-1) by a roller whose radius is larger than
+  /// stated by `deviation` [m]; negative without contact.
   template <class Bar, class Offset, class Deviation>
   auto depth(const Bar& bar, const Offset& offset, const Deviation& deviation) const {
     return offset * bar - (half_clearance - deviation);

@@ -1,5 +1,5 @@
-// How far a rolling element sinks on a scratch. Written once for plain numbers and packs; no header of a
-// library here, since files compiled for special instruction sets include it.
+// Depth of a rolling element on a scratch. Written once for plain numbers and packs; no header of a library
+// here, since files compiled for special instruction sets include it.
 //
 //        ------.          .------   race
 //               \__o  o__/          o: the element rests on both edges, or on the bottom

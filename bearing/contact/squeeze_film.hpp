@@ -1,13 +1,13 @@
-// The oil that roller and race press out as they come closer: the rate of the film that FilmLaw states.
+// Squeeze film between roller and race that approach each other: the rate of the film of FilmLaw.
 //
-// A contact is its film in series with what yields elastically; both carry one load. Of the closing speed V
-// of the bodies the film takes the share
+// A contact is its film in series with its elastic deflection; both carry one load. The film has the
+// following share of the closing speed V of the bodies:
 //
 //     (1)  s = c_f / (c_f + c_e),   c_e = 9/10 e/Q,   c_f = n h/Q,   n = (W + m Q)/(W + Q)
 //
 // with e the elastic approach and Q its load, h the film, W = 4 eta u l R/h the load that a wedge of rigid
 // bodies would carry at that film: oil between rigid bodies thins as 1/Q (n = 1), between elastic ones as
-// Q^-m (n = m, FilmLaw). Where the bodies do not touch, h is what is left between them, and s = 1. The film
+// Q^-m (n = m, FilmLaw). Without contact of the bodies, h is the gap between them, and s = 1. The film
 // so closes at s V, and its resistance is that of RigidLineFilm; on the bodies it acts by the same share:
 //
 //     (2)  Q_s = s (rigid film(h, u, s V) - rigid film(h, u, 0)),   lost: Q_s V >= 0

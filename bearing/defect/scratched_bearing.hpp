@@ -93,7 +93,7 @@ void describe(Visitor& visit, VibratingRing& m) {
 /// [N]
 double weight_of(const VibratingRing& ring);
 
-/// How the shaft comes to its speed: evenly, from a share of it.
+/// Run-up of the shaft: at a constant rate, from a share of its speed.
 struct RunUp {
   double from = 1.0;  // [-]
   double time = 0.0;  // [s]  that it takes; 0: a steady speed

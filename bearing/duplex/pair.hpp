@@ -79,7 +79,7 @@ Stiffness pair_stiffness(const std::vector<Stiffness>& rows, Arrangement arrange
 // that the preload makes. Literature variant: the axial approach has one sign in both rows, as the source
 // prints it; two rows that face each other have opposite ones. It leaves out the geometric stiffness too.
 
-/// How one row is pressed, the same at each ball.
+/// Preload of one row, the same at each ball.
 struct PressedRow {
   double angle = 0.0;             // [rad]  contact angle under preload
   double normal_stiffness = 0.0;  // [N/m]  1.5 k delta^0.5 of one ball, Eq. (12)

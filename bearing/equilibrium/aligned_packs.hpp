@@ -368,8 +368,8 @@ inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
 }
 
 // The forces are the slope of a convex energy: a step after which the force along it points back by more than
-// 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
-// iteration waits with the rings until the rollers are nearly in balance.
+// 0.7 of its previous value was too long, and is halved. This criterion requires known forces; a patient
+// iteration waits with the rings until the rollers are nearly in equilibrium.
 inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
   const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
   const Mask waiting = patient ? ~known : Mask{};

@@ -22,7 +22,7 @@ struct BallRaceLaw {
   film::ApproachLawIn<Number> film{};  // with a film only
 };
 
-/// How a ball touches both races, and turns between them.
+/// Contacts of a ball with both races, and its motion between them.
 template <class T>
 struct BallContacts {
   ContactNormal<T> inner, outer;
@@ -70,8 +70,8 @@ T hertz(const Constant& constant, const T& approach) {
   return constant * (approach * mechanics::root(approach));
 }
 
-// How far the inner race makes a ball roll on it, by its load over the one that does so wholly: smoothly,
-// since a balance may lie between both.
+// Share of rolling on the inner race, by its load over the load for full rolling; smooth, since an
+// equilibrium may lie between both.
 template <class T, class Constant>
 T hold_of(const T& load, const Constant& whole) {
   using mechanics::value_of;

@@ -19,7 +19,7 @@ Eigen::VectorXd waves_of_orders(const ElasticRace& race, const Eigen::ArrayXd& s
 Eigen::VectorXd wave_stiffness(const ElasticRace& race);
 Eigen::VectorXd waves_at_rest(const ElasticRace& race);
 
-/// How far each wave moves the race outward at `angle` [rad].
+/// Outward displacement of the race by each wave at `angle` [rad].
 Eigen::VectorXd wave_shapes(const ElasticRace& race, double angle);
 
 /// Adds `share` of the displacement of the race at all `angles` [rad] to `form` [m].

@@ -184,7 +184,7 @@ double InclinedPlanet::along_inner_normal(const InclinedRow& row, double angle) 
   return inertial_load(row, angle) * std::cos(row.contact_angle - row.taper);
 }
 
-// How far each coordinate moves the outer race outward along its normal, Eq. (17).
+// Displacement of the outer race outward along its normal by each coordinate, Eq. (17).
 InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double angle) const {
   const double cosine = std::cos(row.contact_angle), tilting = cosine * row.pressure_centre / lever_;
   const double x = std::cos(angle), y = std::sin(angle);
@@ -193,7 +193,7 @@ InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double an
   return all;
 }
 
-// How far each coordinate moves the outer race further outward at the end of its rollers along +z, Eq. (21).
+// End displacement of the outer race by each coordinate, at the end of its rollers along +z, Eq. (21).
 InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double angle) const {
   const double arm = row.cut->outer.half_length() / lever_;
   Position all = Position::Zero();

@@ -44,7 +44,7 @@ void describe(Visitor& visit, BallInertia& m) {
                  .where = {"equilibrium.ball_inertia", "true"}}));
 }
 
-/// How a row turns, and what lies in its contacts.
+/// Motion of a row, and film in its contacts.
 struct RowMotion {
   RingSpeeds speeds;
   BallInertia inertia;

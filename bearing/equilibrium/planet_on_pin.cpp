@@ -133,7 +133,7 @@ FreeCoordinates free_coordinates(const PlanetOnPin& planet, double lever, Index 
   return found;
 }
 
-// How the planet, its seats and its waves move the races of one bearing.
+// Displacements of the races of one bearing by the planet, its seats and its waves.
 SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
                                    double lever, const FreeCoordinates& free,
                                    std::vector<RollerState>& rollers) {

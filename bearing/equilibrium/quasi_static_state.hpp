@@ -10,7 +10,7 @@
 
 namespace orbearing::bearing {
 
-/// How the search for the balance of the ring ended.
+/// Result of the search for the static equilibrium of the ring.
 struct SolverReport : mechanics::SearchReport {
   std::string message{};  // empty where converged
 };

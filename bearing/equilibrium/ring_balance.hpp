@@ -66,14 +66,13 @@ void describe(Visitor& visit, RingLoad& m) {
                 {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
 }
 
-/// How the search for the balance ended.
+/// Result of the search for the static equilibrium.
 struct BalanceReport : mechanics::SearchReport {
   std::string message{};  // empty where converged
 };
 
 /// Displacement of the inner ring from the concentric position, and the loads of the elements, the same on
-/// both races. Where a nominal contact angle of zero leaves no side preferred, that position is axially
-/// centred.
+/// both races. If a nominal contact angle of zero prefers no side, that position is axially centred.
 struct RingState {
   double radial = 0.0;           // [m]    along the radial load
   double lateral = 0.0;          // [m]    across it

@@ -1,4 +1,4 @@
-// How the film of one contact is found: by regressions, or by Reynolds' equation itself.
+// Method for the film of one contact: regressions, or Reynolds' equation itself.
 #pragma once
 
 #include <optional>

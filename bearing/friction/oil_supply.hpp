@@ -1,5 +1,4 @@
-// How much oil there is where a bearing in motion needs it, by published formulas that go by its speed as a
-// whole.
+// Oil supply of a bearing in motion, by published formulas that depend on its speed as a whole.
 #pragma once
 
 #include "bearing/motion/balls/parameters.hpp"

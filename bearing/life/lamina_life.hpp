@@ -16,7 +16,7 @@
 
 namespace orbearing::bearing::life {
 
-/// How lamina loads become a life, laid out once for a bearing.
+/// Weights of lamina loads for the life, derived once for a bearing.
 struct LaminaRating {
   Eigen::ArrayXd inner_weight;  // [1/N^4.5]  (laminae)  (f_k/q_c)^4.5
   Eigen::ArrayXd outer_weight;  // [1/N^4.5]  (laminae)
@@ -52,7 +52,7 @@ LaminaMeans means_of_loads(const RaceMotions& motions, const LaminaLoads& inner,
 /// Life [rev] under them; infinite at no load.
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);
 
-/// Terms of the sum in (1) [-]. Of one mean for many laminae each has its even share.
+/// Terms of the sum in (1) [-]. For one mean of many laminae, each has an equal share.
 rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
 
 }  // namespace orbearing::bearing::life

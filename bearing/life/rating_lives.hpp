@@ -29,7 +29,7 @@
 
 namespace orbearing::bearing::rating {
 
-/// How the governing life is computed.
+/// Method of the governing life.
 enum class LifeMethod {
   lundberg_palmgren,  // of the loads of that fidelity, exponents 4 and 9/8 (rollers), 3 and 10/9 (balls)
   iso281,             // L10m where the oil is stated, else L10

@@ -15,7 +15,7 @@ namespace orbearing::bearing::rating {
 /// The least number of laminae for which [ISO16281] gives L10r.
 inline constexpr int kLeastRatedLaminae = 30;
 
-/// How the stress at the ends of a roller, beyond that of its laminae, is taken into account.
+/// Treatment of the stress at the ends of a roller, beyond that of its laminae.
 enum class StressRiser {
   position,  // a function of the position along the roller: that of the standard's least number of laminae
   standard,  // the standard's formula for the number at hand, on which lives of straight rollers then depend

@@ -22,7 +22,7 @@ struct BoreMotion {
 /// it, the cage on the bore.
 using BoreReaction = Wrench;
 
-/// How a bearing and its bore exchange power at one instant.
+/// Exchange of power between a bearing and its bore at one instant.
 struct BorePort {
   double speed = 0.0;   // [rad/s]  of the bore relative to the carrier
   double moment = 0.0;  // [N m]    of the bearing on the bore

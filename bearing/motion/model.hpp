@@ -109,7 +109,7 @@ struct BodyInertia {
   double inertia = 0.0;  // [kg m^2]  about its axis
 };
 
-/// How the load on the bore changes in a run-up; all at t = 0.
+/// Parts of the load on the bore by their change in a run-up; all at t = 0.
 struct BoreLoads {
   Vector2 meshes = Vector2::Zero();       // [N]  falls as the speed rises
   Vector2 centrifugal = Vector2::Zero();  // [N]  of the planet, rises with the square of the speed

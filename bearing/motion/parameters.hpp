@@ -9,7 +9,7 @@
 
 namespace orbearing::bearing::motion {
 
-/// How friction in a race contact follows the sliding speed.
+/// Friction in a race contact as a function of the sliding speed.
 enum class TractionLaw {
   regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
   limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
@@ -51,7 +51,7 @@ constexpr described::Names<Lubrication, 2> names_of(Lubrication) {
   return {{{Lubrication::full, "full"}, {Lubrication::mixed, "mixed"}}};
 }
 
-/// How the shear of the oil at the inlet follows from load and speed.
+/// Rolling resistance by the shear of the oil at the inlet, as a function of load and speed.
 enum class RollingLaw {
   reynolds,           // computed: Reynolds' equation of line contacts
   goksem_hargreaves,  // the regression of [ZhouHoeprich1991] to [GoksemHargreaves1978]
@@ -92,7 +92,7 @@ constexpr described::Names<Starvation, 3> names_of(Starvation) {
   return {{{Starvation::none, "none"}, {Starvation::skf, "skf"}, {Starvation::replenished, "replenished"}}};
 }
 
-/// How the viscosity of the oil in a contact grows with the pressure, where it is sheared.
+/// Viscosity of the sheared oil in a contact as a function of the pressure.
 enum class PressureLaw {
   barus,     // exp(alpha p), held at a largest exponent
   roelands,  // contact/pressed_oil.hpp [Roelands1966]

@@ -193,7 +193,7 @@ double elastic_energy(const RaceModel& race, double elastic_approach) {
   return elastic_approach > 0.0 ? LineContact(race.stiffness).energy(elastic_approach) : 0.0;
 }
 
-// Both contacts of a roller. What the film holds is that of the straight contact.
+// Both contacts of a roller. The energy of the film is that of the straight contact.
 double contact_energy(const BearingModel& model, const Instant& now, Eigen::Index j) {
   const auto stored = [](const RaceModel& race, const Contact& contact) {
     return race_energy(race, contact.elastic_approach, contact.entrainment);

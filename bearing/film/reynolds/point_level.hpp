@@ -34,9 +34,9 @@ struct PointFilmNumbers {
   }
 };
 
-/// How much of a computed change is applied, and where changes are those of single nodes. Lines change one
-/// after the other with films that do not yet include each other's changes: those of many lines add up, above
-/// all where contacts are long across, and more than about 0.7 of single changes overshoots then.
+/// Applied share of a computed change, and the range in which changes are those of single nodes. Lines change
+/// one after the other with films that do not yet include each other's changes: those of many lines add up,
+/// above all where contacts are long across, and more than about 0.7 of single changes overshoots then.
 struct Relaxation {
   double single = 0.5;
   double dipole = 0.6;

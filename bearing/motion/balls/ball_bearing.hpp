@@ -18,7 +18,8 @@ namespace orbearing::bearing::balls {
 /// grooves no wider than balls, and where masses, clearances or oil that the motion needs are missing.
 BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& parameters);
 
-/// How one ring turns: at `speed` [rad/s], which grows by `acceleration` [rad/s^2] until it is `final_speed`.
+/// Rotation of one ring: at `speed` [rad/s], which grows by `acceleration` [rad/s^2] until it is
+/// `final_speed`.
 struct RingDrive {
   double speed = 0.0;
   double acceleration = 0.0;

@@ -6,7 +6,7 @@
 
 namespace orbearing::bearing::balls {
 
-/// How the resistance of a ball to rolling follows from load and speed.
+/// Resistance of a ball to rolling as a function of load and speed.
 enum class BallRolling {
   houpert,   // the regression of [Houpert1987]
   reynolds,  // computed: Reynolds' equation of elliptical contacts
@@ -69,7 +69,7 @@ void describe(Visitor& visit, PocketParameters& m) {
                  .reason = "round pockets"}));
 }
 
-/// How the oil-air mixture round the balls moves.
+/// Motion of the oil-air mixture round the balls.
 enum class OilMotion {
   carried,  // with a speed of its own, by its balance of angular momentum (mixture.hpp)
   at_rest,  // in the housing: the upper bound of drag, Eqs. (29) and (30) of [Chen2026]

@@ -58,7 +58,7 @@ struct RollerConstants {
   const double* radius;         // [m]
 };
 
-/// How a race turns.
+/// Rotation of a race.
 struct RaceTurn {
   double speed = 0.0;   // [rad/s]
   double turned = 0.0;  // [rad]  since the start
@@ -124,7 +124,7 @@ class Engine {
   virtual BoreForces bore_forces() const = 0;
   /// At the last linearisation.
   virtual BoreSlopes bore_slopes() const = 0;
-  /// As factor(), for all but the bore's velocity and, with a cage and where it is `turning` at a speed that
+  /// As factor(), for all but the bore's velocity and, with a cage and if it is `rotating` at a speed that
   /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter
   /// longer.
   virtual bool factor_open(double g, bool rotating, PortMatrix& port) = 0;

@@ -91,7 +91,7 @@ inline void split(const ContactSlopes<PackPair>& both, ContactSlopes<Pack>& inne
   }
 }
 
-/// How rollers move against a race: exact kinematics of rigid bodies, where the line of centres turns at its
+/// Motion of rollers against a race: exact kinematics of rigid bodies, where the line of centres turns at its
 /// own rate; speeds along the tangent t = z x n.
 struct RaceMotion {
   PackPair n_r, n_t;              // [-]    normal, from the race's centre to the roller's
@@ -270,7 +270,7 @@ RaceLoads race_loads(const RacePair& race, const RaceMotion& m, const Pack& cosi
   return x;
 }
 
-/// How load, friction and rolling resistance of a contact change with one variable of its motion.
+/// Derivatives of load, friction and rolling resistance of a contact by one variable of its motion.
 struct LawRate {
   PackPair load, friction, inlet;
 };

@@ -243,9 +243,9 @@ struct LaminaStand {
       by_outer{};  // [1/s]  its slopes, the latter by the rigid bodies' approaches
 };
 
-/// Load of each contact and its slope by its own elastic approach. What the tilt passes from one variable to
-/// the loads is left out of the slopes: the integrator keeps its order with any matrix, and the tilt itself
-/// is solved for with all of its own (PackEngine::complete_rollers).
+/// Load of each contact and its slope by its own elastic approach. The effect of the tilt through other
+/// variables on the loads is left out of the slopes: the integrator keeps its order with any matrix, and the
+/// tilt itself is solved for with all of its own (PackEngine::complete_rollers).
 inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const Pack& cosine,
                              const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;
