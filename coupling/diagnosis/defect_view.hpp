@@ -67,7 +67,7 @@ struct InstrumentView {
   std::vector<NamedPeak> envelope_peaks;
 };
 
-/// How a signal is read.
+/// Settings of the analysis of a signal.
 struct Reading {
   double rate = 0.0;                      // [Hz]
   std::optional<Band> band;               // of the envelope; none: the most impulsive one

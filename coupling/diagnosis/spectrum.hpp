@@ -67,7 +67,7 @@ struct PeakSearch {
   std::size_t most = 24;
 };
 
-/// Largest first. Of a spectrum by Window::hann: what is less than four lines from a larger one is its side
+/// Largest first. In a spectrum by Window::hann, a peak less than four lines from a larger one is its side
 /// lobe.
 std::vector<Peak> peaks_of(const Spectrum& spectrum, const PeakSearch& search);
 

@@ -37,7 +37,7 @@ struct InstanceState {
   system::SavedState participant;
 };
 
-/// How many numbers of each kind a model has.
+/// Number of values of each kind in a model.
 struct StateSizes {
   std::size_t parameters = 0;
   std::size_t inputs = 0;

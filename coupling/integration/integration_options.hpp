@@ -47,7 +47,7 @@ struct IntegrationOptions {
   double most_seconds = 3600.0;   // [s]  of wall time before the run is given up
 };
 
-/// How an integration ended.
+/// Result of an integration.
 struct IntegrationReport {
   bool completed = false;
   double reached = 0.0;        // [s]

@@ -1,4 +1,4 @@
-// How long the next step of a linearly implicit stepper is, from the error of the last.
+// Length of the next step of a linearly implicit stepper, from the error of the last.
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 namespace orbearing::integration {
 
-/// How far a window may be cut.
+/// Limits of the steps in a window.
 struct WindowLimits {
   double smallest_step = 1e-13;  // [s]
   long most_steps = 10'000'000;  // [-]  attempts

@@ -16,7 +16,7 @@ class Record;
 
 namespace orbearing::study {
 
-/// How finely a revolution is computed.
+/// Resolution of a revolution.
 struct RevolutionOptions {
   int angles = 72;    // of the carrier; at least, so that planets at equal steps meet the same ones
   int slices = 40;    // of the face width
@@ -96,7 +96,7 @@ gearset::spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                                          const gearset::dynamics::SetParameters& bodies,
                                          double base_helix_angle);
 
-/// The same with bodies that move. Where their lengths are not known, sun, ring and planets are discs of the
+/// The same with bodies that move. If their lengths are not known, sun, ring and planets are discs of the
 /// face width, and so is the carrier; the support of the ring is uniform around its base circle.
 gearset::spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain,
                                        const gearset::dynamics::SetParameters& bodies,

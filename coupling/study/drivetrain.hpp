@@ -85,7 +85,7 @@ void describe(Visitor& visit, Misalignment& m) {
             angle));
 }
 
-/// How the planet around its bearings is taken.
+/// Model of the planet around its bearings.
 enum class PlanetRim {
   rigid,    // as published models have it
   elastic,  // rim and outer rings bend between rollers and teeth
@@ -105,7 +105,7 @@ constexpr described::Names<TiltState, 2> names_of(TiltState) {
   return {{{TiltState::stated, "stated"}, {TiltState::computed, "computed"}}};
 }
 
-/// How the bearings of a planet sit on their pin. Counts where the tilt is computed.
+/// Seats of the bearings of a planet on their pin. Used if the tilt is computed.
 struct PinSeats {
   TiltState tilt = TiltState::stated;
   std::vector<double>
@@ -292,8 +292,8 @@ void mount(PlanetaryDrivetrain& drivetrain);
 /// Another speed of the input [rad/s], with the clearance and geometry that it brings.
 void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& geometry);
 
-/// How the outer race of one bearing bends while all bearings of its planet press alike and both meshes with
-/// their mean forces; rigid where the rim is.
+/// Elastic outer race of one bearing with equal loads of all bearings of its planet and mean forces of both
+/// meshes; rigid if the rim is.
 bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                 const gearset::MeanLoads& gears);
 

@@ -126,8 +126,8 @@ struct GearRunResult {
   integration::IntegrationReport report;  // summed; smallest step of all
 };
 
-/// Runs from the static state under mean loads (a run-up from its start), or from `start`. What goes wrong
-/// in the integration is in the result.
+/// Runs from the static state under mean loads (a run-up from its start), or from `start`. Errors of the
+/// integration are in the result.
 GearRunResult run_gears(const gearset::dynamics::SetModel& model, const GearRunOptions& options);
 GearRunResult run_gears_from(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
                              const GearRunOptions& options);

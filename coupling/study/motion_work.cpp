@@ -68,7 +68,7 @@ double step_seconds(const BearingModel& model, int laminae) {
   return kStep + lanes_of(model) * (kLane + of_laminae + kWave * static_cast<double>(model.layout.waves));
 }
 
-// How one set moves: what all its motions have in common.
+// Motion of one set: common data of all its motions.
 struct SetMotion {
   const PlanetaryDrivetrain& drivetrain;
   const BearingModel& model;

@@ -9,7 +9,7 @@
 
 namespace orbearing::study {
 
-/// How long a motion is followed and how exactly, as in system::SteadyStateOptions.
+/// Duration and accuracy of a motion, as in system::SteadyStateOptions.
 struct MotionWindows {
   int observed = 10;            // [-]  revolutions of the cage
   int most = 20;                // [-]  revolutions on the way to the steady state

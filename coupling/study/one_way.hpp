@@ -96,12 +96,11 @@ struct OneWayRun {
 
 /// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it
 /// (excitation_of()), the affine law fitted to its motion, and both again on that law until a run agrees with
-/// the law that it was driven on. The gears move on the law fitted to all runs but the first (AffineFit):
-/// what a single run shows swings about it. Runs that do not agree are broken off after a third of the
-/// windows, one at least; the last one is observed to its end. Where the gears would run away on a law, the
-/// run that it is fitted to is the last one; where they do all the same, the bearing is driven as before once
-/// more. Each run goes on where the one before ended.
-///
+/// the law that it was driven on. The gears move on the law fitted to all runs but the first (AffineFit),
+/// since the results of single runs scatter about it. Runs that do not agree are stopped after a third of the
+/// windows, one at least; the last one is observed to its end. If the gears would be unstable on a law, the
+/// run that it is fitted to is the last one; if they are all the same, the bearing is driven as before once
+/// more. Each run starts from the end of the one before.
 /// The bearing has its own outer ring as its part of the planet's mass, and the gears' load is the force that
 /// moves that ring as the planet moved: nearly the force of the bearing. With the whole mass, which is as
 /// good for a linear bearing, the ring's own vibration on the rollers falls among the mesh harmonics, where a

@@ -412,8 +412,8 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   return result;
 }
 
-// In time. Where the bore moves with its gears, they are solved together; where that cannot be followed, the
-// bearing is driven one way all the same.
+// In time. If the bore moves with its gears, they are solved together; if that fails, the bearing is driven
+// one way.
 PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
                          const std::vector<BearingDuty>& duties, Fidelity fidelity) {
   const MeansAtRest at_rest = means_at_rest(stated, geometry, duties);

@@ -17,7 +17,7 @@ class Record;
 
 namespace orbearing::study {
 
-/// How the planet bearing is computed, from rung to rung of the ladder.
+/// Fidelity of the planet bearing, in ascending order.
 enum class Fidelity {
   quasi_static,
   dynamic,       // in time, driven by the gears: one way

@@ -21,7 +21,7 @@
 
 namespace orbearing::study {
 
-/// How the gear set's vibration is sampled.
+/// Sampling of the gear set's vibration.
 struct PlanetSampling {
   double rate = 51200.0;              // [Hz]
   double revolutions = 16.0;          // [-]  of the carrier

@@ -20,7 +20,7 @@ constexpr double kRefinedShare = 0.1;
 constexpr std::size_t kTermsPerInput = 40;  // more terms than this times the inputs: a cell is halved
 constexpr int kFailedDepth = 2;  // times the inputs: cells in which points fail are halved so often
 constexpr int kMostDepth = 10;   // times the inputs
-// How far around the largest misses of a cell they are followed, over its half widths.
+// Radius of the checks around the largest errors of a cell, over its half widths.
 constexpr std::array<double, 2> kNearWorst{0.4, 0.15};
 
 constexpr std::size_t kNodes = kMostTableDegree + 1;

@@ -1,4 +1,4 @@
-// How schemes of exchange between gears and bearings converge to the system solved as one.
+// Convergence of schemes of exchange between gears and bearings to the system solved as one.
 #pragma once
 
 #include <string>

@@ -110,7 +110,7 @@ Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration
   return {std::lround(settling * sampling.rate), samples, sampling.rate, into};
 }
 
-// How far and how fast the shaft turned while `vibration` was sampled.
+// Angle and speed of the shaft during the samples of `vibration`.
 void add_shaft(const bearing::defect::ScratchedBearing& scratched, RingVibration& vibration) {
   const Eigen::Index samples = vibration.ball_load.size();
   vibration.shaft_angle.resize(samples);

@@ -12,7 +12,7 @@
 
 namespace orbearing::study {
 
-/// How the motion is sampled.
+/// Sampling of the motion.
 struct Sampling {
   double rate = 51200.0;              // [Hz]
   double revolutions = 50.0;          // [-]  of the shaft

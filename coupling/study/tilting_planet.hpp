@@ -19,9 +19,9 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain);
 /// distance. Empty where the walls are rigid to each other.
 Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain);
 
-/// How stiffly both meshes hold the planet against tilts of its axis, along x and y: each mean stiffness k
-/// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces
-/// of helical teeth are held by the torques, whatever the tilt, and give no stiffness.
+/// Stiffness of both meshes against tilts of the planet's axis, along x and y: each mean stiffness k spread
+/// over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces of
+/// helical teeth are held by the torques, whatever the tilt, and give no stiffness.
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 
 /// Seat of a planet, independent of its load, its speed, and the clearance and profiles of its bearings:

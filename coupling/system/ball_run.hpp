@@ -14,7 +14,7 @@
 
 namespace orbearing::system {
 
-/// How balls and cage move at the start.
+/// Motion of balls and cage at the start.
 enum class Start { rolling, rest };
 
 constexpr described::Names<Start, 2> names_of(Start) {
@@ -152,7 +152,7 @@ struct SlipHistory {
 std::optional<double> settling_time(const SlipHistory& history, double end, double band);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
-/// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input
+/// reached [s], if any. Errors during the run are in the result; throws std::invalid_argument for input
 /// that ball_numbers() refuses, and where nothing is left to observe.
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
                         const bearing::balls::BallDuty& duty,

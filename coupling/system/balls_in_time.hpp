@@ -17,7 +17,7 @@ namespace orbearing::system {
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
 
-/// How long steps of balls may be.
+/// Bounds of steps of balls.
 struct BallSteps {
   double longest = 0.0;  // [rad]  of a ball's vibration between its races
   double error_factor =

@@ -21,8 +21,8 @@ inline constexpr double kTypicalApproach = 1e-6;
 /// Angle of the fastest vibration in the longest step [rad].
 inline constexpr double kStepOfImpact = 1.05;
 /// Share of the allowed error for the radial speeds of rolling elements that bounce: they open and close the
-/// contacts, and life errs with them more than with all other variables together. Where oil that is pressed
-/// out stops them (impacts_are_damped()) they are weighed as all others.
+/// contacts, and affect life more than all other variables together. If the squeeze film stops them
+/// (impacts_are_damped()), they are weighed as all others.
 inline constexpr double kRadialSpeedShare = 0.2;
 
 /// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets
@@ -53,15 +53,15 @@ inline constexpr double kStoppedBlow = 0.05;  // [m/s]
 /// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
 
-/// By how much motion is slower than its vibrations ask for: the passage of a roller past the load over
-/// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. Where it is more than 1, inertia
+/// Ratio by which motion is slower than its vibrations: the passage of a roller past the load over
+/// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. If it is more than 1, inertia
 /// and squeeze no longer move the rings, and steps follow the rollers' passage: they may be longer by this
-/// factor. Speeds are smaller by the same, and so must their errors be: a step that errs by more sets off
-/// vibrations that cost more than the short steps, and the loads of rollers then lie too high. Only radial
-/// speeds of rollers without a cage keep their errors: neighbours that strike one another throw them as fast
-/// at any speed.
+/// factor. Speeds are smaller by the same factor, and their allowed errors must be so too: a step with a
+/// larger error excites vibrations that cost more than the short steps, and the loads of rollers are then too
+/// high. Only radial speeds of rollers without a cage keep their errors: impacts of neighbours accelerate
+/// them as much at any speed.
 double slowness(const bearing::motion::BearingModel& model);
-/// The same where the cage turns at `cage_speed` [rad/s] against the load, for a bearing that others drive.
+/// The same where the cage turns at `cage_speed` [rad/s] against the load, for a driven bearing.
 double slowness(const bearing::motion::BearingModel& model, double cage_speed);
 /// The reducer's bearing passes a roller in as many longest steps at 850 rpm.
 inline constexpr double kStepsOfPassage = 1200.0;  // [-]

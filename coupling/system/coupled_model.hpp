@@ -45,8 +45,8 @@ struct CoupledSetup {
 /// Setup of one bearing of a planet, both counted from 0.
 DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing);
 
-/// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
-/// of its pin.
+/// Motion of the bore of a planet by that of the gear set: linear in (x, y, u) of carrier and planet, less
+/// the error of its pin.
 struct PlanetPort {
   Eigen::Index planet_index = 0;  // of the planet in the layout
   double planet_angle = 0.0;      // [rad]  on the carrier

@@ -22,13 +22,13 @@ namespace orbearing::system {
 
 /// State: [ gears in the order of SetLayout, padded to a multiple of eight | bearing | bearing | ... ], each
 /// bearing in PaddedLayout with its bore where the gear set has it. `CoupledSteps` and `through_window` run
-/// it; for steps of order 4 see WithAllSlopes. What the matrix always leaves out is small:
+/// it; for steps of order 4 see WithAllSlopes. The matrix always leaves out a small effect:
 /// that the carrier's frame and a land on the planet turn at other speeds.
 class CoupledSystem {
  public:
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
-  /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
+  /// `rotating`: the matrix includes the effects of the planets' rotations on bearings, and vice versa.
   explicit CoupledSystem(const CoupledModel& model, bool rotating = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }

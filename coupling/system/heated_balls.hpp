@@ -54,7 +54,7 @@ constexpr described::Names<HeatModel, 2> names_of(HeatModel) {
   return {{{HeatModel::network, "network"}, {HeatModel::oil, "oil"}}};
 }
 
-/// How heat leaves. Conductances between two bodies, each an assumption of its size.
+/// Paths of the heat. Conductances between two bodies, each an assumption of its size.
 struct HeatParameters {
   bool on = false;
   HeatModel model = HeatModel::network;

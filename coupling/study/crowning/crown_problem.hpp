@@ -118,8 +118,8 @@ struct DutyLoads {
 /// Loads that do the mean damage of `loads` (bearings)(laminae, positions): (mean of q^4)^(1/4).
 Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads);
 
-/// Under `profile`. Where the tilt is stated, searches start from `near`, if given: the loads of a profile
-/// that is nearly the same. Throws std::runtime_error where they do not balance.
+/// Under `profile`. If the tilt is stated, searches start from `near`, if given: the loads of a profile that
+/// is nearly the same. Throws std::runtime_error if there is no static equilibrium.
 DutyLoads loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean,
                    std::size_t duty, const DutyLoads* near = nullptr);
 
@@ -142,8 +142,8 @@ double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size
 double hours_without_riser(const CrownProblem& problem, const Eigen::ArrayXXd& inner,
                            const Eigen::ArrayXXd& outer, std::size_t duty);
 
-/// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
-/// the time is rest.
+/// The rule of Palmgren and Miner: life [h] of all, given that of each single duty. The remaining time is
+/// rest.
 double life_of_duties(const CrownProblem& problem, const std::function<double(std::size_t duty)>& hours);
 /// Life by life (duties); not a number where one is not.
 bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
