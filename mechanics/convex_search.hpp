@@ -26,7 +26,7 @@ struct Imbalance {
       Eigen::Vector<double, N>::Zero(N == Eigen::Dynamic ? 0 : N);  // [N]  -d(energy)
   Eigen::Matrix<double, N, N> stiffness =
       Eigen::Matrix<double, N, N>::Zero(force.size(), force.size());  // [N/m]  -d(force)
-  double scale = 0.0;  // [N]  the largest of the forces that balance
+  double scale = 0.0;  // [N]  the largest of the forces in equilibrium
 };
 
 struct SearchLimits {
@@ -95,7 +95,7 @@ bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& positi
 
 namespace detail {
 
-// The search of all balances. `lengths(force, stiffness)` are those that the force causes.
+// The search of all equilibria. `lengths(force, stiffness)` are those that the force causes.
 template <int N, class Function, class Lengths>
 SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, const SearchLimits& limits,
                            Eigen::Vector<double, N>& position, Imbalance<N>& now) {

@@ -127,7 +127,7 @@ enum class Physics {
   run,        // means over time
   run_up,     // speeds that grow
   single_bearing,      // a single bearing under a load of its own
-  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in balance
+  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in static equilibrium
   single_bearing_run,  // a ball bearing alone in time
   defect,              // a bearing with scratches in motion
   exchange,            // windows of a co-simulation

@@ -17,7 +17,7 @@ struct PathForces {
   Eigen::VectorXd force;      // [N]
   Eigen::MatrixXd stiffness;  // [N/m]  -d(force)/d(position)
   Eigen::VectorXd by_share;   // [N]    d(force)/d(share)
-  double scale = 0.0;         // [N]    the largest of the forces that balance
+  double scale = 0.0;         // [N]    the largest of the forces in equilibrium
 };
 
 /// Result of a path search: `converged` if share 1 was reached.
@@ -91,7 +91,7 @@ PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& pos
   constexpr int kMostSteps = 600, kMostCorrections = 10;
   constexpr double kFirst = 0.05, kShortest = 1e-7, kLongest = 0.5;
   constexpr double kLeastTurn = 0.8;              // cosine between steps
-  constexpr double kNear = 1e-7, kAtEnd = 1e-11;  // of the forces that balance
+  constexpr double kNear = 1e-7, kAtEnd = 1e-11;  // of the forces in equilibrium
   const Eigen::Index n = position.size();
   detail::Path path(forces_at, length);
   Eigen::VectorXd point(n + 1), across = Eigen::VectorXd::Unit(n + 1, n);
