@@ -262,7 +262,7 @@ void check_speed_freedom(const Arrangement& arrangement, const ArrangementSystem
   problems.push_back(std::move(problem));
 }
 
-// With all speeds fixed, the torques fail to balance only where the power cannot leave.
+// With all speeds fixed, the torques are out of equilibrium only if the power cannot leave.
 void check_torque_conflict(const Arrangement& arrangement, const ArrangementSystem& system,
                            Problems& problems) {
   if (is_consistent(system.matrix, system.right)) return;

@@ -254,7 +254,7 @@ struct Operation {
   Member driven = Member::sun;
   double power = 0.0;           // [W]   enters by the driven member, whatever its speed
   Speeds speeds;                // [rad/s]  nominal
-  Torques torques;              // [N m]    external, in balance at nominal speed
+  Torques torques;              // [N m]    external, in equilibrium at nominal speed
   double mesh_frequency = 0.0;  // [Hz]  at nominal speed
   RunUp run_up;
   /// True: the load torque decreases by the friction moments of coupled bearings, and the set keeps its mean

@@ -34,11 +34,11 @@ struct SpatialBalance {
 };
 
 /// Coordinates of the search: for carrier, sun and each planet three displacements and three rotations at the
-/// lever of the centre distance. The energy is convex, so there is one balance. Gear teeth are cut into
+/// lever of the centre distance. The energy is convex, so there is one equilibrium. Gear teeth are cut into
 /// `slices` over the face width; back flanks touch where the backlash is used up.
 /// @param angle [rad] of the carrier in the housing; its first planet is upward at 90 degrees
-/// @param start coordinates of a neighbouring balance, or none
-/// @throws std::runtime_error where no balance is found
+/// @param start coordinates of a neighbouring equilibrium, or none
+/// @throws std::runtime_error where no equilibrium is found
 SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
                        const Eigen::VectorXd& start = {});
 
