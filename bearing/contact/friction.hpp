@@ -183,7 +183,7 @@ struct ComputedRolling {
 /// The same by the regression F_R = 4.318 (alpha E' U)^0.658 W^0.0126 R l / alpha of [ZhouHoeprich1991] to
 /// [GoksemHargreaves1978]: between 0.82 and 1.73 of what is computed, from W = 1e-5 on.
 ///
-/// The oil drags each surface back with it. The pressure's resultant gives the balance of forces, after
+/// The oil drags each surface back with it. The pressure's resultant gives the equilibrium of forces, after
 /// [Houpert1987].
 template <class Number>
 struct RollingResistance {

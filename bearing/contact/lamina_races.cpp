@@ -44,7 +44,7 @@ LaminaRaces::LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact ou
       upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)),
       even_(upright_ && flat(inner_) && flat(outer_)) {}
 
-// The elastic energy is convex in the end displacement, so that the moment out of balance falls with it:
+// The elastic energy is convex in the end displacement, so that the unbalanced moment falls with it:
 // Newton's method within a bracket.
 double LaminaRaces::balanced_end_displacement(double inner_approach, double outer_approach,
                                               const Vector2& outward) const {

@@ -39,8 +39,8 @@ class LaminaRaces {
   LaminaRaceLoads loads(const LaminaStand& stand, const Vector2& outward) const;
   /// Elastic energy [J]; its slopes by the approaches are the loads, that by the end displacement is -excess.
   double energy(const LaminaStand& stand, const Vector2& outward) const;
-  /// The end displacement [m] at which both contacts balance at the elastic approaches [m] in the middle of a
-  /// roller; that of the race it touches where it touches one alone.
+  /// The end displacement [m] of equilibrium of both contacts at the elastic approaches [m] in the middle of
+  /// a roller; that of the race it touches where it touches one alone.
   double balanced_end_displacement(double inner_approach, double outer_approach,
                                    const Vector2& outward) const;
   /// Resistance to tilting [N s/m]: rate of the end displacement = excess / resistance.

@@ -66,7 +66,7 @@ constexpr described::Names<DampingLaw, 2> names_of(DampingLaw) {
 /// The ring that vibrates.
 struct VibratingRing {
   double mass = 0.0;            // [kg]
-  double damping_ratio = 0.05;  // [-]  of critical, of the vibration along the load about its static balance
+  double damping_ratio = 0.05;  // [-]  of critical, of vibration along the load about its equilibrium
   DampingLaw damping_law = DampingLaw::viscous;
 };
 
@@ -134,7 +134,7 @@ class ScratchedMotion {
   using State = Eigen::Vector4d;  // u, v [m], u', v' [m/s]
   using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 
-  /// Throws std::invalid_argument for a bearing that cannot be, and where no static balance is found.
+  /// Throws std::invalid_argument for impossible parameters, and where no static equilibrium is found.
   explicit ScratchedMotion(const ScratchedBearing& parameters);
 
   const StaticPosition& static_position() const { return static_; }

@@ -48,17 +48,17 @@ struct Pair {
 };
 
 /// Axial displacement [m] of one row's inner ring under the axial load `preload` [N]. Throws
-/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error where no balance is
-/// found.
+/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error if no static equilibrium
+/// is found.
 double approach_under(const Bearing& bearing, double preload);
 
 /// Both rows on the shaft.
 std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium::RowMotion& motion = {});
 
-/// A pair in balance.
+/// A pair in static equilibrium.
 struct PairState {
   equilibrium::RingState ring;  // of the shaft against the outer rings; balls of the first row come first
-  std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, where the shaft balances
+  std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, at the equilibrium of the shaft
 };
 
 /// Equilibrium of the shaft under `load` and the preload. In a tandem the preload is a load of twice its

@@ -41,7 +41,7 @@ struct AlignedInput {
 struct AlignedOutput {
   double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
   double displacement_y[kBlock];  // [N^0.9]
-  double residual[kBlock];        // [N]  force out of balance on the outer ring
+  double residual[kBlock];        // [N]  unbalanced force on the outer ring
   double iterations[kBlock];      // [-]
   double converged[kBlock];       // [-]  1 or 0
   double stiffness_xx[kBlock];    // [N^0.1]  of the outer ring against its displacement

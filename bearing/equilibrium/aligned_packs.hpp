@@ -123,11 +123,11 @@ inline PlaneVector starting_displacement(const AlignedArray<RollerUnknown>& roll
   return {only(size > 0.0, closed.x + approach * d.x), only(size > 0.0, closed.y + approach * d.y)};
 }
 
-/// Force on the outer ring out of balance, and its stiffness.
+/// Unbalanced force on the outer ring, and its stiffness.
 struct RingBalance {
   PlaneVector force;            // [N]
   Pack k_xx{}, k_xy{}, k_yy{};  // [N^0.1]
-  Pack error{};                 // [N]  of the force, as the rollers are not yet in balance
+  Pack error{};                 // [N]  of the force, as the rollers are not yet in equilibrium
 };
 
 /// Loads [N] of both contacts of a roller, and their slopes over 10/9 [N^0.1].
@@ -156,7 +156,7 @@ class AlignedContacts {
     return {p.load, q.load, p.root, q.root};
   }
 
-  /// Loads of all laminae at the balance.
+  /// Loads of all laminae at the equilibrium.
   void put(const AlignedArray<RollerUnknown>& rollers, int count, const PlaneVector& u, double half_clearance,
            int first, const AlignedOutput& output) const {
     if (output.lamina_loads == nullptr) return;

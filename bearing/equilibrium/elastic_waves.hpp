@@ -1,5 +1,6 @@
-// The waves of an elastic outer race as coordinates of a balance: that of order 0, then cosine and sine of
-// each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of bearing/README.md.
+// The waves of an elastic outer race as coordinates of an equilibrium: that of order 0, then cosine and sine
+// of each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of
+// bearing/README.md.
 #pragma once
 
 #include <Eigen/Core>

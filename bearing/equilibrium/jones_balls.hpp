@@ -54,7 +54,7 @@ struct RowMotion {
   bool moves_balls() const { return !speeds.at_rest() && (inertia.enabled || film.has_value()); }
 };
 
-/// One ball in balance.
+/// One ball in equilibrium.
 struct JonesBall {
   ContactNormal<double> inner;
   ContactNormal<double> outer;
@@ -86,9 +86,9 @@ class JonesRow : public RingRow {
   /// Stores the equilibria of the balls as the start of the next search.
   void add_forces(const RingPosition& position, RingImbalance& sum) const override;
   void put_loads(const RingPosition& position, RingState& state) const override;
-  /// Whether all balls found their balance the last time.
+  /// Whether the equilibria of all balls were found the last time.
   bool settled() const { return settled_; }
-  /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
+  /// Race control only: gives each ball the race that resists its spin more, by its loads of the last time.
   /// Whether a ball changed.
   bool choose_control();
   /// While frozen, on balls acts a centrifugal force of their orbit at the nominal contact angle and nothing

@@ -1,4 +1,4 @@
-// The balance of a roller bearing at one cage angle, and how it was found.
+// Static equilibrium of a roller bearing at one cage angle, and the report of its search.
 #pragma once
 
 #include <Eigen/Core>

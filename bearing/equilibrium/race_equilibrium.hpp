@@ -1,4 +1,4 @@
-// Rings that balance on the rollers between them: the outer ring of one bearing, or a planet on several;
+// Rings in equilibrium on the rollers between them: the outer ring of one bearing, or a planet on several;
 // races rigid or elastic, contacts whole or cut into laminae, tilts stated or free. Eqs. (3), (4) and (14) to
 // (16) of README.md.
 #pragma once
@@ -33,7 +33,7 @@ struct RaceEquilibrium {
 
   /// Approach of the races at roller `j` [m] when a rigid outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;
-  /// [N]  the largest of the forces that balance
+  /// [N]  the largest of the forces in equilibrium
   double force_scale() const;
 };
 
@@ -66,7 +66,7 @@ struct RingsOnRollers {
   Position load;                          // [N]
   Eigen::Matrix<double, N, N> stiffness;  // [N/m]  without rollers
   Position rest;                          // [m]
-  double scale = 0.0;                     // [N]  the largest of the forces that balance
+  double scale = 0.0;                     // [N]  the largest of the forces in equilibrium
   std::vector<SettlingRow<N>> rows;       // (bearings)
 };
 

@@ -1,5 +1,5 @@
-// The balance of a ring on one row of rolling elements under a static load, [ISO16281]: one problem for balls
-// and for rollers on laminae.
+// Static equilibrium of a ring on one row of rolling elements, [ISO16281]: one problem for balls and for
+// rollers on laminae.
 //
 // The outer ring is fixed. The inner ring has five freedoms, all as lengths: x along the radial load, y
 // across it, z along the axis, and both tilts at the row's lever,

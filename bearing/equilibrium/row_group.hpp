@@ -1,4 +1,4 @@
-// Any number of rows on one shaft: one balance, one stiffness.
+// Any number of rows on one shaft: one static equilibrium, one stiffness.
 //
 //        row 1        row 2              row 3         z along the shaft; x and y across; outer rings fixed
 //     -----+------------+-----o------------+----> z

@@ -1,6 +1,6 @@
 // Friction of a bearing at pure rolling, by the contact laws of the motion in time: what a run at rest can
-// say of it in a millisecond. Loads are those of the balance; cage and rolling elements turn at kinematic
-// speed.
+// say of it in a millisecond. Loads are those of static equilibrium; cage and rolling elements turn at
+// kinematic speed.
 //
 //   rollers   rolling    sum over contacts 2 F u, F of contact/friction.hpp (Reynolds' equation, flooded), u
 //   the

@@ -16,7 +16,7 @@ namespace orbearing::bearing::motion {
 
 namespace {
 
-constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
+constexpr double kLeastForce = 1e-12;  // [N]  an unloaded bearing is in equilibrium
 
 // Coordinates: the position of the pin ring, the waves of an elastic outer race, and the position of the bore
 // if a load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.

@@ -13,8 +13,8 @@ struct PinBalance {
   QuasiStaticState rollers;       // displacement: bore less pin
 };
 
-/// The pin ring and all rollers in balance under `motion`: Newton's method on the two freedoms of the pin,
-/// whose forces are the slope of a convex energy. Converged or not: see the report of `rollers`.
+/// The pin ring and all rollers in static equilibrium under `motion`: Newton's method on the two freedoms of
+/// the pin, whose forces are the slope of a convex energy. Converged or not: see the report of `rollers`.
 PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
 

@@ -71,7 +71,7 @@ void describe(Visitor& visit, PocketParameters& m) {
 
 /// Motion of the oil-air mixture round the balls.
 enum class OilMotion {
-  carried,  // with a speed of its own, by its balance of angular momentum (mixture.hpp)
+  carried,  // with its own speed, by the balance of its angular momentum (mixture.hpp)
   at_rest,  // in the housing: the upper bound of drag, Eqs. (29) and (30) of [Chen2026]
 };
 

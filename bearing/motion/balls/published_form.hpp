@@ -27,7 +27,7 @@ class PublishedForm {
   /// From a state of the complete form, whose positions are the start.
   std::vector<double> reduced(const std::vector<double>& complete);
   /// The complete form's state for `y` at `time` [s], positions by equilibrium; their velocities are zero.
-  /// Throws std::runtime_error where no balance is found.
+  /// Throws std::runtime_error where no equilibrium is found.
   const std::vector<double>& complete(double time, const double* y);
   /// The last of them.
   const std::vector<double>& complete() const { return x_; }
