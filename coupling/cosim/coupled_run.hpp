@@ -120,7 +120,7 @@ class CoupledRun {
   /// connect_by_name().
   CoupledRun(const Sides& sides, const CoupledOptions& options);
 
-  /// All participants to their balance at `time` [s].
+  /// All participants to their equilibrium at `time` [s].
   void initialize(double time);
   /// From the last values of `history`, which is the present state of the participants; up to two before them
   /// help the first windows to their order.

@@ -143,8 +143,9 @@ class Exchange {
   /// Throws std::invalid_argument as connect_by_name().
   Exchange(const Sides& sides, ExchangeOrder order);
 
-  /// All sides to the balance in which each is under the others' output: `rounds` times in turn, less where
-  /// forces change by less than `allowed_change` of the largest of their kind. Returns the values there.
+  /// All sides to the equilibrium in which each is under the others' output: `rounds` times in turn, less
+  /// where forces change by less than `allowed_change` of the largest of their kind. Returns the values
+  /// there.
   InterfaceValues initialize(double time, int rounds, double allowed_change);
 
   /// Over `window`, under polynomials that end with `expected` where nothing newer is known.

@@ -115,7 +115,7 @@ std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes
       frequency_at((1.0 + kBeside) * meeting.speed) - frequency_at((1.0 - kBeside) * meeting.speed);
   return meeting;
 } catch (const std::runtime_error&) {
-  return std::nullopt;  // no balance of the bearing there
+  return std::nullopt;  // no equilibrium of the bearing there
 }
 
 }  // namespace

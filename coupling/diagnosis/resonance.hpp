@@ -40,7 +40,7 @@ struct Meeting {
   bool excited = false;  // whether the meshes can excite it; Eq. (14) of gearset/dynamics
 };
 
-/// Modes at a speed [rad/s]; throws std::runtime_error where the bearings find no balance.
+/// Modes at a speed [rad/s]; throws std::runtime_error if the bearings have no equilibrium.
 using ModesAt = std::function<ModesAtSpeed(double speed)>;
 
 /// All meetings of harmonics 1 to 4 between the first and the last of `points`, by order, then by speed.
@@ -51,7 +51,7 @@ std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gea
                               const ModesAt& modes_at);
 
 /// Meetings that the meshes excite between two speeds [rad/s] and half as much beyond, ascending. Speeds at
-/// which the bearings find no balance are left out.
+/// which the bearings have no equilibrium are left out.
 std::vector<Meeting> resonances(double lowest, double highest, const gearset::PlanetarySet& set,
                                 const ModesAt& modes_at);
 

@@ -104,7 +104,7 @@ gearset::spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain,
 
 /// Loads of a drivetrain with a carrier_mounting and a gear_set. Rollers are computed under the load and the
 /// tilt of their bearing at each of some angles.
-/// @throws std::runtime_error where no balance is found
+/// @throws std::runtime_error where no equilibrium is found
 CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
                                      const DrivetrainGeometry& geometry,
                                      const RevolutionOptions& options = {});

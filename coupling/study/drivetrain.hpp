@@ -98,7 +98,7 @@ constexpr described::Names<PlanetRim, 2> names_of(PlanetRim) {
 /// Origin of the tilt of a planet on its pin.
 enum class TiltState {
   stated,    // by Misalignment
-  computed,  // from the balance of all bearings of a planet on their pin
+  computed,  // from the equilibrium of all bearings of a planet on their pin
 };
 
 constexpr described::Names<TiltState, 2> names_of(TiltState) {
@@ -275,7 +275,7 @@ struct DrivetrainGeometry {
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
 
 /// Speeds and torques of the members, whether the set is single or one of several: of the dynamics and the
-/// static balance of the set's gears. In an arrangement all torques are stated, and none follows from the
+/// static equilibrium of the set's gears. In an arrangement all torques are stated, and none follows from the
 /// power.
 /// @throws std::invalid_argument as gearset::mean_loads()
 gearset::dynamics::Operation set_operation(const PlanetaryDrivetrain& drivetrain,

@@ -235,8 +235,8 @@ void require_gears(const PlanetaryDrivetrain& drivetrain) {
         "planets that load unevenly: found gears that cannot move; required: one set with teeth");
 }
 
-// The torques of the three members balance: springs against their rotation carry nothing, and are left out,
-// so that not even the last digit depends on them.
+// The torques of the three members are in equilibrium: springs against their rotation carry nothing, and are
+// left out, so that not even the last digit depends on them.
 void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Member fixed) {
   const auto hold = [&](gearset::dynamics::Support& support, gearset::Member member) {
     support.torsional_stiffness = 0.0;
@@ -247,7 +247,7 @@ void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Membe
   hold(set.carrier.support, gearset::Member::carrier);
 }
 
-// The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
+// The equilibrium does not depend on the springs that lead to it: they are those of the bearings whatever the
 // case states for them, so that not even its last digit does.
 SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     double stiffness) {

@@ -23,8 +23,8 @@ struct PlanetBalance {
 
 /// Static equilibrium of the gears at their mean mesh stiffness, with teeth that may separate, on bearings
 /// with their quasi-static compliance, each on the support of its pin.
-/// @throws std::runtime_error where no balance is found, std::invalid_argument where the drivetrain has no
-/// gears that can move
+/// @throws std::runtime_error where no equilibrium is found, std::invalid_argument where the drivetrain has
+/// no gears that can move
 PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// Operating point of the bearings of one planet that exert `force` [N] on it: in the search, the

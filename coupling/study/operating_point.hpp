@@ -189,8 +189,8 @@ bearing::rating::Life governing_life(const PointResult& result);
 double governing_hours(const PointResult& result);
 
 /// Loads, lives and the largest pressure of bearings that are not cylindrical, at rest; speeds and loads on
-/// the bore are not put in. The overturning moment of helical teeth is in the balance where a planet has two
-/// bearings or more. Throws std::runtime_error where no balance is found.
+/// the bore are not put in. The overturning moment of helical teeth is included where a planet has two
+/// bearings or more. Throws std::runtime_error where no equilibrium is found.
 PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const BearingDuty& duty);
 
@@ -212,7 +212,7 @@ inline constexpr double kDragSlipError = 0.03;  // [-]
 /// have no common motion in time: several sets, a run-up, a computed tilt.
 bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double drag_over_traction);
 
-/// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
+/// Computes one point. Throws std::runtime_error with the solver's reason if there is no equilibrium or the
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity = Fidelity::quasi_static);

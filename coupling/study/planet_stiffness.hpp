@@ -8,12 +8,12 @@
 
 namespace orbearing::study {
 
-/// Stiffness [N/m] of one planet with an elastic rim, linear about the quasi-static balance at the
+/// Stiffness [N/m] of one planet with an elastic rim, linear about the quasi-static equilibrium at the
 /// drivetrain's power and speed: forces by the deflections of its sun mesh, its ring mesh and its bearings
 /// outward and in the sense of rotation, as gearset/dynamics has them. Rollers and pin supports follow
 /// without mass, mean over the positions of the rollers. Eq. (6) of gearset/rim/README.md.
 /// @param sun_mesh, ring_mesh [N/m] of the meshes on a planet whose bore is held
-/// @throws std::runtime_error where the bearing finds no balance
+/// @throws std::runtime_error where the bearing has no equilibrium
 Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                  double sun_mesh, double ring_mesh);
 
@@ -25,11 +25,11 @@ Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const Dr
 /// positions.
 bearing::Bearing of_like_rollers(bearing::Bearing like);
 
-/// All bearings of one planet with their pin supports, linear about their quasi-static balance at the
+/// All bearings of one planet with their pin supports, linear about their quasi-static equilibrium at the
 /// drivetrain's power and speed: at the mean displacement they carry the mean load. Rollers and pin support
 /// in series, the stiffness and the damping of each; mean over the positions of the rollers. Masses of
 /// rollers and pin ring, friction, laminae, unlike rollers and waves that turn with a race are left out.
-/// @throws std::runtime_error where the bearing finds no balance
+/// @throws std::runtime_error where the bearing has no equilibrium
 gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
                                                  const DrivetrainGeometry& geometry);
 

@@ -40,7 +40,7 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain);
 
 /// The same for one of planets that carry unlike loads. The walls of the carrier twist against each other by
 /// what all planets press: by the mean planet, so that each planet finds its pin inclined by that twist.
-/// @throws std::runtime_error where the mean planet finds no balance
+/// @throws std::runtime_error if the mean planet has no equilibrium
 PlanetSeat unlike_planet_seat(const PlanetaryDrivetrain& drivetrain, const BearingDuty& mean);
 
 /// The seat of each planet of the drivetrain, whether they carry alike or not.
@@ -52,7 +52,7 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 /// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
 /// a planet whose bearings carry alike; axial forces of helical teeth and the two gears of a stepped planet
 /// lean it outward and ahead by `moment` [N m]. Laminae are needed.
-/// @throws std::runtime_error where the planet finds no balance
+/// @throws std::runtime_error if the planet has no equilibrium
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
                                                    const Eigen::Vector2d& moment,
@@ -76,7 +76,7 @@ struct SeatedBearing {
   Eigen::Vector2d pin_offset = Eigen::Vector2d::Zero();
 };
 
-/// All bearings of a planet, from its balance at rest on `seat`.
+/// All bearings of a planet, from its equilibrium at rest on `seat`.
 std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
                                            const DrivetrainGeometry& geometry, const BearingDuty& duty);
 

@@ -24,7 +24,7 @@ constexpr described::Names<Start, 2> names_of(Start) {
 /// Positions that have inertia.
 enum class BallForm {
   complete,   // all
-  published,  // as [Chen2026]: those of rings and balls in their contacts follow from balance
+  published,  // as [Chen2026]: those of rings and balls in their contacts follow from equilibrium
 };
 
 constexpr described::Names<BallForm, 2> names_of(BallForm) {

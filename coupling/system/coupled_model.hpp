@@ -107,8 +107,8 @@ struct CoupledStart {
 };
 
 /// Gears and bearings at rest in each other's forces, as a co-simulation begins: the gear set in its static
-/// state under mean loads, the rollers of each bearing in balance at its planet's angle.
-/// @throws std::runtime_error where no balance is found
+/// state under mean loads, the rollers of each bearing in equilibrium at its planet's angle.
+/// @throws std::runtime_error where no equilibrium is found
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
 
 }  // namespace orbearing::system

@@ -311,7 +311,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
   in.set(start);
 }
 
-// Rolling and traction add little to the forces of the balance: their sum is taken off the required load
+// Rolling and traction add little to the static forces: their sum is taken off the required load
 // until the bearing's own force is the load.
 Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const BoreMotion& motion) const {
   constexpr int kMost = 30;

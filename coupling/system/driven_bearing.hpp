@@ -126,8 +126,8 @@ class DrivenBearing final : public Participant {
   /// Motion of the bore under `inputs`.
   static bearing::motion::BoreMotion motion_of(const std::vector<double>& inputs);
 
-  /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
-  /// zero.
+  /// Rollers in equilibrium under the displacement of the bore, all turning at pure rolling. All inputs may
+  /// be zero.
   void initialize(const bearing::motion::BoreMotion& motion);
   /// Position of the bore at which the initial force of the bearing is -`load` [N]; speeds of carrier and
   /// bore are those of `motion`. Throws std::runtime_error where no equilibrium is found.

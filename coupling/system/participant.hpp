@@ -49,7 +49,7 @@ class Participant {
     (void)inputs, (void)given;
   }
   /// Then, before the first window, with the others' output: nearer to the state in which all are in
-  /// balance.
+  /// equilibrium.
   virtual void balance(double time, const std::vector<double>& inputs) { initialize(time, inputs); }
   /// From `window.begin`, its present time, to its end; polynomials count from the beginning.
   virtual void advance(const Window& window, const std::vector<InputPolynomial>& inputs) = 0;

@@ -89,7 +89,7 @@ struct CrownPoint {
   double lundberg_palmgren_hours = 0.0;  // [h]
   bearing::rating::RatedHours rated_hours{};  // by the standards
   PeakPressure pressure;                      // greatest over the spectrum
-  std::string status = "ok";                  // "ok" or why there is no balance
+  std::string status = "ok";                  // "ok" or why there is no equilibrium
 };
 
 /// Called as points finish, from several threads, with how many are done.

@@ -56,7 +56,7 @@ struct Population {
   Eigen::ArrayXd drop_weight;  // [-]
 };
 
-/// Gauss nodes of each quantity. Those of leans cost a balance each, those of the drop nothing.
+/// Gauss nodes of each quantity. Those of leans cost an equilibrium each, those of the drop nothing.
 struct PopulationNodes {
   int lean = 3;  // for each direction
   int drop = 16;
