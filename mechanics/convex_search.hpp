@@ -31,7 +31,7 @@ struct Imbalance {
 
 struct SearchLimits {
   double reach = 0.0;         // [m]  longest step: the length on which the contacts change
-  double size = 0.0;          // [m]  lengths beside the coordinates whose differences the contacts take
+  double size = 0.0;          // [m]  other lengths in the differences that enter the contacts
   double tolerance = 1e-12;   // [-]  of the force that remains, over the scale
   double acceptable = 1e-9;   // [-]  the same, where round-off ends the search before
   double resolution = 1e-15;  // [-]  of the lengths: a shorter step changes nothing

@@ -142,7 +142,7 @@ class Record {
     append(values, 0, numbers);
     return add(std::move(name), dimension, std::move(meaning), std::move(numbers));
   }
-  /// The same of so many that they are for files alone.
+  /// The same for long arrays, which go to files only.
   template <class Values>
   Entry& series(std::string name, const Dimension& dimension, std::string meaning, std::vector<Along> along,
                 const Values& values) {

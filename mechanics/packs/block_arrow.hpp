@@ -7,7 +7,7 @@
 
 namespace orbearing::mechanics::ORBEARING_PACKS {
 
-/// kLanes elements of kOwn unknowns each, beside kShared unknowns of all.
+/// kLanes elements of kOwn unknowns each, and kShared unknowns of all.
 template <int kOwn, int kShared>
 struct ElementBlock {
   Pack own[kOwn][kOwn];
