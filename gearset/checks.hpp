@@ -20,7 +20,7 @@ Warnings spacing_problems(const PlanetarySet& set);
 /// @param block of the case that states the rack: "gearset"
 Warnings rack_problems(const BasicRack& rack, const std::string& block);
 
-/// Faults of a set that runs all the same: undercut, and ends of teeth that reach where there is no involute.
+/// Faults of a set that can still run: undercut, and ends of teeth that reach where there is no involute.
 Warnings tooth_warnings(const WorkingGeometry& geometry);
 
 /// Room between the teeth of a ring and of the gear inside it where their tip circles cross, outside the path

@@ -124,7 +124,7 @@ std::string bore_key(const GearPair& pair, std::size_t gear);
 /// Reasons why the pair cannot be built; empty if it can. Places are "pair.teeth" and so on.
 Warnings pair_problems(const GearPair& pair);
 
-/// Faults of a pair that runs all the same.
+/// Faults of a pair that can still run.
 Warnings pair_warnings(const PairGeometry& geometry);
 Warnings pair_warnings(const InternalMesh& mesh);
 

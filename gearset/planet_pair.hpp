@@ -91,7 +91,7 @@ WillisTeeth willis_teeth_of_pairs(const PlanetarySet& set);
 MeanLoads mean_loads_of_planet(const PlanetarySet& set, const PlanetOfPair& planet,
                                const MemberRatios& ratios, const Drive& drive);
 
-/// Faults of the teeth of pairs that run all the same, as tooth_warnings() has them for single planets.
+/// Faults of the teeth of pairs that can still run, as tooth_warnings() has them for single planets.
 /// @throws std::domain_error as planet_pair_geometry()
 Warnings pair_tooth_warnings(const PlanetarySet& set, const SecondPlanet& pair);
 

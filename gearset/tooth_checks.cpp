@@ -65,7 +65,7 @@ void check_clearances(const WorkingGeometry& g, const std::string& inside, Tooth
   check_ring_clearances(ring_mesh_of(g), inside, warnings);
 }
 
-// The shift that nobody states: a wrong number of teeth shows in it.
+// The derived shift: a wrong number of teeth shows in it.
 void check_planet_shift(const WorkingGeometry& g, ToothWarnings& warnings) {
   if (std::abs(g.planet_shift) <= kUsualShift) return;
   const auto number = [](int teeth) { return std::to_string(teeth); };

@@ -1,4 +1,4 @@
-// Several planetary sets on common shafts: who is joined to whom, and where power enters and leaves.
+// Several planetary sets on common shafts: their connections, and the shafts of power input and output.
 //
 //      motor                                  load
 //        |                                      |

@@ -22,8 +22,8 @@ struct KindShapes {
   Eigen::MatrixXcd shapes;  // (freedoms, number)  orthonormal
 };
 
-/// Shares of a motion's kinetic energy, by kind; their sum is 1. A harmonic of a steady vibration is of one
-/// kind alone where the planets follow each other at equal phase steps.
+/// Shares of a motion's kinetic energy, by kind; their sum is 1. A harmonic of a steady vibration is of a
+/// single kind if the planets follow each other at equal phase steps.
 struct KindShares {
   double rotational = 0.0;     // [-]
   double translational = 0.0;  // [-]

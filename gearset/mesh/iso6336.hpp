@@ -1,4 +1,4 @@
-// Mesh stiffness by the standard's regression: a second opinion beside the stiffness from tooth geometry.
+// Mesh stiffness by the standard's regression: for comparison with the stiffness from tooth geometry.
 #pragma once
 
 #include <optional>

@@ -65,7 +65,7 @@ struct MeshGear {
 /// Which law of the foundation an external gear has.
 enum class Foundation {
   polynomials,   // of [Sainsot2004], the elastic ring where these are of no use
-  elastic_ring,  // exact: beside a rim that bends as a whole
+  elastic_ring,  // exact: in addition to a rim that bends as a whole
 };
 
 /// An external gear on a rigid shaft.

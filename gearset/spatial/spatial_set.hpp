@@ -49,7 +49,7 @@ struct SpatialSet {
   double planet_base_radius = 0.0;  // [m]
   SpatialMesh sun, ring;
   std::vector<PlanetBearing> planet_bearings;  // the same on each pin
-  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, beside their own compliance;
+  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, besides their own compliance;
   /// they then have no clearance; none: in their stiffness
   Eigen::MatrixXd pin_compliance;
   double planet_axial_stiffness = 0.0;  // [N/m]  between planet and pin

@@ -329,7 +329,7 @@ ToothPairs tooth_pairs(const MeshingGears& gears, const MeshModifications& by, i
   const std::vector<double> jumps = corners(gears, by, window);
   const double width = window.end - window.begin;
   const int samples = static_cast<int>(std::ceil(kSamplesPerPeriod * width));
-  // Both curves are continuous at their corners, beside which the table takes its samples.
+  // Both curves are continuous at their corners, next to which the table takes its samples.
   const auto at_corner = [&](double share) {
     constexpr double beside = 2e-9;  // [window]
     for (const double corner : jumps)
