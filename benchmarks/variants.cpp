@@ -125,7 +125,7 @@ void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
                     together.steps, together.attempts, alone.steps, alone.attempts));
 }
 
-// Attempts of `lanes` variants in one lockstep over the mean of those that each needs alone, with a common
+// Attempts of `lanes` variants in one lockstep over the mean of those that each needs singly, with a common
 // step, and with steps of their own where lanes wait for the last one (`waiting`); lanes that are refilled
 // wait for none.
 Json neighbours(const std::vector<Duty>& duties) {
