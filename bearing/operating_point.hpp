@@ -20,7 +20,7 @@ struct ElasticRace {
   Eigen::ArrayXd cosine;  // [m]  (orders)  by whatever else presses on ring and body: the teeth of a planet
   Eigen::ArrayXd sine;    // [m]
   /// [kg]  (orders)  twice the kinetic energy of a wave whose largest radial speed is 1 m/s, over its square.
-  /// Used in motion alone, where it is required.
+  /// Used in motion only, where it is required.
   Eigen::ArrayXd mass = {};
 
   bool is_rigid() const { return compliance.size() == 0; }

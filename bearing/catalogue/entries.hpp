@@ -73,7 +73,7 @@ std::vector<std::string> nearest(const std::vector<std::string>& designations, s
 //   (6)  Z   the one whose C by [ISO281] is nearest to the printed one
 //
 // The two numbers 0.87 and 1.25 are those of five bearings (docs/bearings.md); nothing else is fitted. C
-// takes no part for rollers, and chooses a whole number alone for balls; so it checks the inference.
+// is not used for rollers, and selects only a whole number for balls; so it checks the inference.
 
 /// Internal geometry, with the uncertainty that the printed numbers leave.
 struct Inside {

@@ -106,7 +106,7 @@ struct EllipsePoints {
 };
 
 /// `slices` across the direction of rolling (Gauss and Legendre), each of `rows` points along it (Gauss and
-/// Chebyshev); with one row spin turns about the middle line alone. Throws std::invalid_argument for less
+/// Chebyshev); with one row spin turns about the middle line only. Throws std::invalid_argument for less
 /// than one of either, or more than kMost points.
 EllipsePoints ellipse_points(int slices, int rows);
 

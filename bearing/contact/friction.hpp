@@ -115,7 +115,7 @@ struct MixedFriction {
             film};
   }
 
-  /// Friction [N] of a contact whose film alone, under the whole load, would give `film_friction` [N].
+  /// Friction [N] of a contact in which the film under the whole load would give `film_friction` [N].
   /// Asperities carry their share with boundary friction, the film the rest: both have the sign of the
   /// sliding.
   template <class Oiled, class Force, class Speed>
@@ -237,7 +237,7 @@ struct FrictionChoice {
   bool inlet_heating = false;     // shear at the inlet lowers the rolling resistance
 };
 
-/// The constants of all laws: numbers alone, so that those of two races can be put side by side.
+/// The constants of all laws: numbers only, so that those of two races can be put side by side.
 template <class Number>
 struct FrictionNumbers {
   CoulombFriction<Number> coulomb;

@@ -40,7 +40,7 @@ class LaminaRaces {
   /// Elastic energy [J]; its slopes by the approaches are the loads, that by the end displacement is -excess.
   double energy(const LaminaStand& stand, const Vector2& outward) const;
   /// The end displacement [m] of equilibrium of both contacts at the elastic approaches [m] in the middle of
-  /// a roller; that of the race it touches where it touches one alone.
+  /// a roller; with one contact only, that of the race it touches.
   double balanced_end_displacement(double inner_approach, double outer_approach,
                                    const Vector2& outward) const;
   /// Resistance to tilting [N s/m]: rate of the end displacement = excess / resistance.

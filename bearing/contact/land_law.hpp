@@ -167,7 +167,7 @@ struct LandLaw {
     result.shear = shear_scale * (land_speed - motion.cage_speed) * inverse_root(1.0 - held * held);
   }
 
-  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds alone. Its power may have either sign,
+  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds only. Its power may have either sign,
   // and it depends on the frame in which the rotations are counted: here the carrier's.
   template <class T>
   void published_film(const T& rotation_sum, const T& held, T& force_along, T& force_across) const {

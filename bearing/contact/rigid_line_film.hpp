@@ -28,7 +28,7 @@ struct LineFilm {
   Shear shear;  // [N s/m]  resistance to sliding; to entrainment it is twice this on each surface
 };
 
-/// Film of a cylinder on a plane; numbers alone, so that those of two contacts can be put side by side. The
+/// Film of a cylinder on a plane; numbers only, so that those of two contacts can be put side by side. The
 /// gap enters as `s` = slenderness(gap).
 template <class Number>
 struct RigidLineFilm {
@@ -45,7 +45,7 @@ struct RigidLineFilm {
     using mechanics::inverse_root;
     return root_diameter * inverse_root(gap);
   }
-  /// Load [N] of the wedge alone, at entrainment `u` [m/s] > 0.
+  /// Load [N] of the wedge only, at entrainment `u` [m/s] > 0.
   template <class Slenderness, class Speed>
   auto wedge(const Slenderness& s, const Speed& u) const {
     return viscous * (s * s) * u;

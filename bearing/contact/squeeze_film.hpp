@@ -92,7 +92,7 @@ struct RigidPointFilm {
             .least_gap = least_gap};
   }
 
-  /// Load [N] of the wedge alone at `gap` [m], entrained along x with `ux` [m/s].
+  /// Load [N] of the wedge only at `gap` [m], entrained along x with `ux` [m/s].
   template <class Number>
   Number wedge(const Number& gap, const Number& ux) const {
     using namespace mechanics;
@@ -150,7 +150,7 @@ auto film_share(const Wedge& wedge, const Load& load, const Gap& gap, const Elas
   return film_gives / (film_gives + bodies_give);
 }
 
-/// Squeeze of the film between roller and race. Numbers alone, see RigidLineFilm.
+/// Squeeze of the film between roller and race. Numbers only, see RigidLineFilm.
 template <class Number>
 struct SqueezeFilm {
   RigidLineFilm<Number> film;

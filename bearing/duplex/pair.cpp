@@ -104,7 +104,7 @@ PressedRow pressed_row(const Bearing& bearing, double approach) {
           .ball_angle = equilibrium::element_angles(bearing)};
 }
 
-// Eqs. (7) to (10) and (14): each ball resists along its line of contact alone.
+// Eqs. (7) to (10) and (14): each ball resists along its line of contact only.
 Stiffness linear_stiffness(const PressedRow& row, const RowLevers& levers) {
   const double cosine = std::cos(row.angle), sine = std::sin(row.angle);
   Stiffness sum = Stiffness::Zero();

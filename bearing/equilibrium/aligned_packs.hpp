@@ -4,7 +4,7 @@
 // In the lengths of AlignedConstants a squeezed roller with inertial load I and e = |I| has
 //   Q(y) - Q(x) = e,   x + y = A = -half clearance - u . e_r,   Q(x) = sum over laminae share (x -
 //   drop)_+^(10/9)
-// with x on the race that carries the squeeze alone. Eliminating x roller by roller leaves two equations for
+// with x on the race that carries only the squeeze. Eliminating x roller by roller leaves two equations for
 // u.
 //
 // Lanes do not meet, and nothing depends on how many of them there are: without fused operations all
@@ -26,7 +26,7 @@ using namespace mechanics::ORBEARING_PACKS;
 struct RollerUnknown {
   Pack e_x, e_y;  // [-]  direction
   Pack inertial;  // [N]
-  Pack x;         // [N^0.9]  approach of the race that carries the squeeze alone
+  Pack x;         // [N^0.9]  approach of the race that carries only the squeeze
   Pack step;      // [N^0.9]  its correction at the present displacement of the rings
   Pack slope;     // [-]      d(x)/d(A)
   Pack squeeze;   // [N]      load of that race
@@ -166,7 +166,7 @@ class AlignedContacts {
       const Mask squeezed = roller.squeeze > 0.0;
       const Pack x = only(squeezed, roller.x + roller.step);
       const Pack y = select(squeezed, approach - x, approach_under(absolute(roller.inertial), squeezed));
-      const Mask inner_alone = roller.inertial > 0.0;  // carries the squeeze alone
+      const Mask inner_alone = roller.inertial > 0.0;  // carries only the squeeze
       put_laminae(select(inner_alone, x, y), output.lamina_loads + j * kBlock + first, count);
       put_laminae(select(inner_alone, y, x), output.lamina_loads + (c_.laminae * count + j) * kBlock + first,
                   count);

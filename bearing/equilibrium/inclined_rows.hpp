@@ -47,7 +47,7 @@ class InclinedContacts {
 
  private:
   double cosine_ = 1.0;  // [-]  of the taper
-  // Outer contact by load and approach over the cosine, so that both loads differ by the inertial load alone.
+  // Outer contact by load and approach over the cosine, so that both loads differ by the inertial load only.
   std::optional<RollerContacts> lines_;
   std::optional<PointContact> inner_, outer_;
 };
@@ -100,7 +100,7 @@ struct InclinedState {
   double axial = 0.0;                                      // [m]
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]
   std::vector<Eigen::ArrayXd> inner_load, outer_load;      // [N]    (rows) (elements)
-  std::vector<laminae::RollerState> rollers;               // row by row; of whole contacts loads alone
+  std::vector<laminae::RollerState> rollers;               // row by row; of whole contacts loads only
   /// By displacement (x, y, z) and tilt: [N/m], [N/rad], [N m/rad].
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   SolverReport report;

@@ -24,7 +24,7 @@ struct QuasiStaticState {
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the rollers on the bore, against its tilt
   Eigen::ArrayXd inner_load;                         // [N]
   Eigen::ArrayXd outer_load;                         // [N]
-  std::vector<laminae::RollerState> rollers;         // of whole contacts loads and stiffness alone
+  std::vector<laminae::RollerState> rollers;         // of whole contacts loads and stiffness only
   SolverReport report;
 };
 

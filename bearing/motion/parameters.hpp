@@ -14,7 +14,7 @@ enum class TractionLaw {
   regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
   limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
                         // [BairWiner1979]
-  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls alone
+  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls only
 };
 
 constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
@@ -43,7 +43,7 @@ constexpr TractionNature nature_of(TractionLaw law) {
 
 /// Who carries the load of a race contact.
 enum class Lubrication {
-  full,   // the film, or the surfaces, alone: one law of friction
+  full,   // the film only, or the surfaces only: one law of friction
   mixed,  // film and asperities share load and friction by the film ratio [OlverSpikes1998]
 };
 

@@ -48,7 +48,7 @@ struct StripMatrices {
   Eigen::MatrixXd widening;  // [1/m]  -dW_ij/d(B)/(2 B), B the common width: what drives the widths apart
 };
 
-/// The part that depends on the grid alone; made once, used for all loads, tilts and profiles.
+/// The part that depends on the grid only; made once, used for all loads, tilts and profiles.
 class StripInfluence {
  public:
   /// `mirror_factor` [-] of the pressure mirrored at both ends.

@@ -52,7 +52,7 @@ struct ContactSnapshot {
 };
 
 /// Power lost by cause [W]. Friction over the ellipses falls into its first three parts by the motion that
-/// does the work: their sum is >= 0, one alone may be slightly less. All others are >= 0.
+/// does the work: their sum is >= 0, a single one may be slightly less. All others are >= 0.
 struct BallPowerLoss {
   double sliding = 0.0;       // of the ellipses' middles
   double differential = 0.0;  // because ellipses are curved
@@ -71,7 +71,7 @@ struct BallSnapshot {
   std::vector<double> pocket_load;       // [N]  (balls)
   double cage_speed = 0.0;               // [rad/s]
   Eigen::Vector3d cage_position;         // [m]
-  double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction alone
+  double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction only
   double outer_torque = 0.0;             // [N m]
   BallPowerLoss loss;
 };

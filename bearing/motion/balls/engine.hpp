@@ -71,7 +71,7 @@ class Engine {
 Engine* baseline_engine(const BallNumbers& numbers);
 Engine* avx2_engine(const BallNumbers& numbers);
 Engine* avx512_engine(const BallNumbers& numbers);
-/// The same in packs of eight, for balls whom packs of sixteen would leave more lanes empty.
+/// The same in packs of eight, for numbers of balls that leave more lanes of packs of sixteen empty.
 Engine* short_avx512_engine(const BallNumbers& numbers);
 
 }  // namespace orbearing::bearing::balls

@@ -81,7 +81,7 @@ RollingLaw regression(const OiledPoint& oil) {
           {}};
 }
 
-// Fitted to points that film/reynolds computes: docs/reynolds.md. Without pressure-viscosity the first alone.
+// Fitted to points that film/reynolds computes: docs/reynolds.md. Without pressure-viscosity only the first.
 RollingLaw computed(const OiledPoint& oil) {
   constexpr PowerLaw rigid{0.405, 0.240, 0.0, 0.5, 0.5}, elastic{36.1, 0.781, -0.200, 0.750, 0.349};
   constexpr double blend = 3.0;

@@ -8,7 +8,7 @@
 //
 // Before they touch, oil may keep them apart (Eqs. (19) and (23) of [Chen2026], whose integrals over the film
 // have the closed forms of bearing/contact/squeeze_film.hpp): on the side that is nearer and on the one
-// opposite, so that a ball in the middle is held by squeeze alone.
+// opposite, so that a ball in the middle is held by squeeze only.
 #pragma once
 
 #include "bearing/contact/damping.hpp"

@@ -7,7 +7,7 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// Change of a contact force when positions alone move: rollers by (dr, dtheta), the body by (dx, dy).
+/// Change of a contact force when only positions move: rollers by (dr, dtheta), the body by (dx, dy).
 struct Shift {
   Pack d_r, d_t, w_r, w_t;
 };
@@ -48,7 +48,7 @@ inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, 
 }
 
 /// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
-/// open bore hold force and moment on it alone.
+/// open bore hold only force and moment on it.
 template <bool OpenBore, bool Caged>
 void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenUnknowns]) const {
   const double* cage = rhs + layout_.cage();

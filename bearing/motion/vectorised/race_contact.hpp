@@ -286,7 +286,7 @@ LawRate operator*(const Number& scale, const LawRate& x) {
 /// By what the laws see of a motion.
 struct LawSlopes {
   LawRate approach, closing, rolling;
-  PackPair sliding;  // of the friction alone
+  PackPair sliding;  // of the friction only
 };
 
 inline LawSlopes law_slopes(const RaceLoads& x) {
