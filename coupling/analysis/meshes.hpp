@@ -1,4 +1,4 @@
-// Meshes of gears: stiffness over the mesh period, contact ratio, phases, and the standard's opinion beside.
+// Meshes of gears: stiffness over the mesh period, contact ratio, phases, and comparison with the standard.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// One pass of all sides over a window: who hears of whom, and when.
+// One pass of all sides over a window: order and times of the exchange.
 #pragma once
 
 #include <cstddef>

@@ -48,8 +48,8 @@ double kurtosis_of(const Eigen::ArrayXd& signal, double rate, const Band& band);
 /// hundredth of the power.
 KurtosisOfBand most_impulsive_band(const Eigen::ArrayXd& signal, double rate, double least_width);
 
-/// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of
-/// all of them loses these alone.
+/// `signal` without its lines at `frequencies` [Hz] and their neighbours. A signal of whole periods of
+/// all of them loses only these.
 Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
                              const std::vector<double>& frequencies);
 

@@ -176,7 +176,7 @@ void Instance::log(Status status, const char* function, const char* text) const 
         std::find(categories_.begin(), categories_.end(), category) == categories_.end())
       return;
     log_(status, category, (std::string(function) + ": " + text).c_str());
-  } catch (...) {  // no memory for the words: the status alone has to do
+  } catch (...) {  // no memory for the text: only the status is returned
   }
 }
 

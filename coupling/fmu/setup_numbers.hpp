@@ -1,4 +1,4 @@
-// Setups as tables of numbers and back, by the rows beside their structures (mechanics/described.hpp).
+// Setups as tables of numbers and back, by the rows of their structures (mechanics/described.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ struct FieldFacts {
   std::string unit;          // SI; "1" for ratios
   std::string meaning;       // one sentence
   described::Range range{};  // [unit]  as of a case
-  double none = 0.0;         // [unit]  allowed too: the value of a member that nobody states
+  double none = 0.0;         // [unit]  allowed too: the value of a member that is not stated
 };
 
 FieldFacts field_facts(const described::Facts& facts, double none);

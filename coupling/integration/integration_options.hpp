@@ -55,7 +55,7 @@ struct IntegrationReport {
   long rejected = 0;           // [-]
   long rhs_calls = 0;          // [-]
   double smallest_step = 0.0;  // [s]  accepted
-  double next_step = 0.0;      // [s]  that the error allows from here; integrate_pieces() alone
+  double next_step = 0.0;      // [s]  that the error allows from here; integrate_pieces() only
   double wall_seconds = 0.0;   // [s]
   std::string message;         // empty when completed
 };

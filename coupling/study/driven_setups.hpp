@@ -1,4 +1,4 @@
-// From a drivetrain to its gear set and its planet bearings as participants that others drive.
+// From a drivetrain to its gear set and its planet bearings as driven participants.
 #pragma once
 
 #include "coupling/study/drivetrain.hpp"

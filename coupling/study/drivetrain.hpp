@@ -195,19 +195,19 @@ struct RatedBearing {
       bearing::rating::LifeMethod::lundberg_palmgren;  // the governing life of the results
 };
 
-/// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
+/// Parameters of a planetary set and its drive, single or among several sets. A sweep changes one or the
 /// other and derives anew.
 struct PlanetaryDrivetrain {
   gearset::PlanetarySet set;
   gearset::Drive drive;
   /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
-  /// which only power and speed count then. None: the set is alone and driven at drive.member.
+  /// which only power and speed count then. None: the set is single and driven at drive.member.
   std::optional<gearset::MemberRatios> in_arrangement;
-  /// Which planet of a pair this is; none: planets are single. Beside in_arrangement, and at rest alone.
+  /// Which planet of a pair this is; none: planets are single. With in_arrangement, and at rest only.
   std::optional<gearset::PlanetOfPair> of_pair;
   bearing::Bearing bearing;    // with the clearance that it has at this drive
   bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
-  bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest alone
+  bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest only
   int bearings_per_planet = 1;
   PlanetRim rim = PlanetRim::rigid;
   double reduction_factor = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1

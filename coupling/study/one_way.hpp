@@ -19,7 +19,7 @@ namespace orbearing::study {
 struct FittedBearing {
   gearset::dynamics::AffineBearing bearing;
   double residual = 0.0;  // [-]  what the law leaves of the whole force
-  // From another law to that of the last motion alone:
+  // From another law to that of the last motion only:
   double stiffness_change = 0.0;  // [-]  of the springs' force
   double damping_change = 0.0;    // [-]  of the dampers' force
 };

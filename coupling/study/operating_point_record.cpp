@@ -1,4 +1,4 @@
-// An operating point as it is described once: a row of a table, and arrays that are for files alone.
+// Description of an operating point: a row of a table, and arrays that are for files only.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -17,7 +17,7 @@ namespace orbearing::study {
 Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                  double sun_mesh, double ring_mesh);
 
-// The planet bearings as springs and dampers about the mean load: what modes and the gears alone need of
+// The planet bearings as springs and dampers about the mean load: data for modes and for single gear sets of
 // them.
 
 /// `like` in its mean over time, in which rollers and rotating races pass every position: with equal rollers

@@ -212,7 +212,7 @@ std::vector<double> TableBuilder::sum_of_terms(const Cell& cell, const TablePoin
   return sum;
 }
 
-// All terms up to the second degree, and check points: at least half of them of this cell alone.
+// All terms up to the second degree, and check points: at least half of them of this cell only.
 void TableBuilder::want_first_points(Cell& cell) {
   cell.wanted.push_back({});
   for (std::size_t i = 0; i < target_.inputs; ++i) cell.wanted.push_back(raised({}, i));

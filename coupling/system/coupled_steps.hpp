@@ -149,7 +149,7 @@ class CoupledSteps {
                                         double t, double h, std::vector<double>& x);
 
   CoupledStepOptions options_;
-  integration::Rosenbrock2 all_;         // weighs the gears alone
+  integration::Rosenbrock2 all_;         // weighs the gears only
   integration::Rosenbrock2 within_;      // one bearing
   integration::StepControl control_;     // of the steps of all
   std::vector<double> weight_;           // of one bearing

@@ -1,4 +1,4 @@
-// One planet bearing that others move: motion of bore and carrier in, force and moment out.
+// One driven planet bearing: motion of bore and carrier in, force and moment out.
 #pragma once
 
 #include <memory>
@@ -48,7 +48,7 @@ inline described::Row<double> reduction_factor_row(double& reduction_factor) {
                 .fmu = InFmu::parameter});
 }
 
-/// All that a bearing's future depends on beside its inputs, in the order of an FMU's model.
+/// All data besides its inputs on which a bearing's future depends, in the order of an FMU's model.
 template <class Visitor>
 void describe(Visitor& visit, DrivenBearingSetup& m) {
   using namespace described;

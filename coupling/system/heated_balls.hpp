@@ -47,7 +47,7 @@ inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring
 /// Which bodies take in heat.
 enum class HeatModel {
   network,  // balls, rings, oil and housing
-  oil,      // the oil alone, which leaves with all heat: T = T_in + W/(c flow)
+  oil,      // only the oil, which leaves with all heat: T = T_in + W/(c flow)
 };
 
 constexpr described::Names<HeatModel, 2> names_of(HeatModel) {

@@ -57,7 +57,7 @@ class WatchedMotion {
   WatchedMotion& operator=(const WatchedMotion&) = delete;
   ~WatchedMotion();
 
-  /// Whether the observer waits for this motion. Costs next to nothing where nobody watches.
+  /// Whether the observer waits for this motion. Costs almost nothing without an observer.
   bool is_due() const;
   /// Does not change what is computed. Which run it is in turn is filled in.
   void tell(MotionProgress now) const;

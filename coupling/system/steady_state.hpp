@@ -140,7 +140,7 @@ struct SteadyStateResult {
   std::string message;
   bearing::motion::WindowStatistics statistics;             // over the observed windows
   std::vector<bearing::motion::WindowStatistics> bearings;  // the same, bearing by bearing
-  // Each window on the way to the steady state; but for loads and the cage's speed at its end alone.
+  // Each window on the way to the steady state; except loads and the cage's speed, at its end only.
   std::vector<bearing::motion::WindowStatistics> windows;
   BearingSeries series;  // of the first bearing in the last window
   RollingSpeeds rolling;

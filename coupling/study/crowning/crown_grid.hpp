@@ -68,7 +68,7 @@ std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPres
 struct DutyRecord {
   double tilt = 0.0;                 // [rad]  largest of a bore against its pin
   double load_share = 1.0;           // [-]    largest load of a bearing of a planet over their mean
-  double life_hours = 0.0;           // [h]  at this duty alone
+  double life_hours = 0.0;           // [h]  at this duty only
   double pressure_life_hours = 0.0;  // [h]  the same from half-space pressures
   double damage_share = 0.0;         // [-]  of all damage, by the rule of Palmgren and Miner
   PeakPressure pressure;

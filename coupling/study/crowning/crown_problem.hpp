@@ -63,7 +63,7 @@ using bearing::rating::LifeMethod;
 struct Duty {
   double speed = 0.0;             // [rad/s]  of the drivetrain's input
   double share = 1.0;             // [-]      of the time
-  bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up alone: what a study states is added
+  bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up only; a study adds its tilts
   double radial_clearance = 0.0;  // [m]  of the bearing at this speed
   double overturning_moment = 0.0;  // [N m]  on the whole planet, of helical teeth
 };
@@ -89,7 +89,7 @@ Lean lean_by(const CrownProblem& problem, double angle);
 
 /// One operating point of a spectrum, as input of a drivetrain.
 struct SpectrumPoint {
-  double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which uses up time alone
+  double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which only takes time
   double share = 1.0;           // [-]      of the time
   std::optional<double> power;  // [W]      none: the drivetrain's own
 };
@@ -101,7 +101,7 @@ struct SpectrumPoint {
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMethod method, int laminae = 40);
 
-/// The same bearing at one of its duties alone.
+/// The same bearing at a single one of its duties.
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
 
 /// Loads of the bearings that a study takes at one duty: of a planet whose tilt is computed all, else one.
@@ -128,7 +128,7 @@ bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile, std::size_t duty);
 bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean);
 
-/// Lives [h] of one bearing at one duty alone, whose loads are known; kappa by speed and viscosity.
+/// Lives [h] of one bearing at a single duty with known loads; kappa by speed and viscosity.
 struct DutyHours {
   double lundberg_palmgren = 0.0;
   bearing::rating::RatedHours rated;
