@@ -13,8 +13,8 @@ struct BoreMotion {
   Vector2 acceleration = Vector2::Zero();  // [m/s^2]  used by implicit integrators only
   double speed = 0.0;                      // [rad/s]  of the bore, relative to the carrier
   double angle = 0.0;  // [rad]    turned by the bore since the start; used for bores that are not round
-  double carrier_angle = 0.0;  // [rad]    turned by the carrier since the start; used if gravity acts
-  double carrier_speed = 0.0;  // [rad/s]
+  double carrier_angle = 0.0;         // [rad]    turned by the carrier since the start; used if gravity acts
+  double carrier_speed = 0.0;         // [rad/s]
   double carrier_acceleration = 0.0;  // [rad/s^2]
 };
 

@@ -189,7 +189,7 @@ struct RatedBearing {
   bearing::rating::StatedRatings stated{};          // replace the values of the standards
   std::optional<bearing::rating::StatedOil> oil{};  // none: not stated
   std::optional<double>
-      roughness{};  // [m]  composite: kappa by the film that was computed; none: by `oil`
+      roughness{};  // [m]  composite: kappa by the film that was computed; none: as given by `oil`
   double reliability_factor = 1.0;  // [-]  a_1
   bearing::rating::LifeMethod method =
       bearing::rating::LifeMethod::lundberg_palmgren;  // the governing life of the results

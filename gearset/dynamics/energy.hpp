@@ -26,9 +26,9 @@ struct PowerFlow {
   double drive = 0.0;      // [W]  driving and load torques, beyond those of the nominal rotation
   double stiffness = 0.0;  // [W]  of the change of stiffness, 1/2 k' approach^2, or of turning loaded teeth
   double error = 0.0;      // [W]  of moving the flanks: - force x error rate
-  double frame = 0.0;  // [W]  of turning the frame: Euler terms, rates of the centrifugal potential,
-                       //      dampers of the housing
-  double mesh_loss = 0.0;     // [W]  dampers
+  double frame = 0.0;      // [W]  of turning the frame: Euler terms, rates of the centrifugal potential,
+                           //      dampers of the housing
+  double mesh_loss = 0.0;  // [W]  dampers
   double bearing_loss = 0.0;  // [W]
   double support_loss = 0.0;  // [W]
 

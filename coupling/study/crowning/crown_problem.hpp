@@ -61,10 +61,10 @@ using bearing::rating::LifeMethod;
 
 /// One operating point of a spectrum.
 struct Duty {
-  double speed = 0.0;             // [rad/s]  of the drivetrain's input
-  double share = 1.0;             // [-]      of the time
-  bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up only; a study adds its tilts
-  double radial_clearance = 0.0;  // [m]  of the bearing at this speed
+  double speed = 0.0;               // [rad/s]  of the drivetrain's input
+  double share = 1.0;               // [-]      of the time
+  bearing::OperatingPoint point;    // of one bearing; tilted by the wind-up only; a study adds its tilts
+  double radial_clearance = 0.0;    // [m]  of the bearing at this speed
   double overturning_moment = 0.0;  // [N m]  on the whole planet, of helical teeth
 };
 
