@@ -28,7 +28,7 @@ inline double tangential_inertial_acceleration(const CarrierFrame& frame, double
   return tangential_inertial_acceleration(frame, r, std::cos(theta), std::sin(theta), radial_speed);
 }
 
-/// Of a body at `position` [m] with `velocity` [m/s], both in (x, y).
+/// Acceleration of a body at `position` [m] with `velocity` [m/s], both in (x, y).
 inline Eigen::Vector2d inertial_acceleration(const CarrierFrame& frame, const Eigen::Vector2d& position,
                                              const Eigen::Vector2d& velocity) {
   const PlaneAcceleration added =

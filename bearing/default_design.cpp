@@ -22,7 +22,7 @@ constexpr std::array<CageMaterial, 4> default_materials{{
     {"brass", 8500.0, 105e9, metal_damping},
 }};
 
-constexpr double cage_poisson_ratio = 0.35;  // [-]  between polymers and metals; affects the shear alone
+constexpr double cage_poisson_ratio = 0.35;  // [-]  between polymers and metals; affects the shear only
 
 double gap_between_rollers(double roller_diameter, double pitch_diameter, int rollers) {
   return pitch_diameter * std::sin(constants::pi / rollers) - roller_diameter;

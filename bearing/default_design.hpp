@@ -1,5 +1,5 @@
-// What stands in for parts of a planet bearing that are not drawn yet: values that follow from the size and
-// the material of the parts they belong to.
+// Default values for parts of a planet bearing that are not designed yet: they follow from the size and the
+// material of the adjacent parts.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace orbearing::bearing {
 
-/// What a cage of a given density is made of.
+/// Material of a cage of a given density.
 struct CageMaterial {
   std::string_view name;
   double density = 0.0;         // [kg/m^3]
@@ -30,7 +30,7 @@ double default_pocket_clearance(double roller_diameter, double pitch_diameter, i
 /// Play of a cage on its land, in diametral measure. Assumption: 6 % of the diameter of a roller or ball. [m]
 double default_land_play(double element_diameter);
 
-/// Of a cage that is not drawn.
+/// Size of a cage that is not designed yet.
 struct CageSize {
   double inner_diameter = 0.0;  // [m]
   double outer_diameter = 0.0;  // [m]

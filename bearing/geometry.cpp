@@ -19,7 +19,8 @@ bool without_ring(double seat_diameter, double race_diameter) {
   return std::abs(seat_diameter - race_diameter) < round_off * race_diameter;
 }
 
-// Of the inner ring; where rollers run on the pin itself, of the pin beneath the race, for that is what moves there.
+// Volume of the inner ring; for rollers that run on the pin itself, of the pin beneath the race, which is the
+// moving part.
 double pin_volume(const Bearing& bearing, double race_diameter) {
   const double bore = bearing.inner.seat_diameter;
   return ring_volume(without_ring(bore, race_diameter) ? 0.0 : bore, race_diameter, bearing.width);

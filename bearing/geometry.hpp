@@ -1,4 +1,4 @@
-// What follows from the bearing's parameters once and for all: radii, masses, inertias.
+// Values derived once from the bearing's parameters: radii, masses, inertias.
 #pragma once
 
 #include "bearing/parameters.hpp"
@@ -31,8 +31,8 @@ bool has_outer_ring(const Bearing& bearing, const BearingGeometry& geometry);
 /// Equivalent radius of a roller on its race [m]: convex on the inner race, concave on the outer.
 double equivalent_radius(const BearingGeometry& geometry, Race race);
 
-/// What a logarithmic profile of the rollers is laid out for: `load` [N] on the inner race, where they are
-/// pressed most.
+/// Design load of a logarithmic profile of the rollers: `load` [N] on the inner race, which has the highest
+/// pressure.
 profile::DesignLoad design_under(const Bearing& bearing, double load);
 
 /// Speed of the cage at pure rolling [rad/s], from the speeds of both races in the same frame; `slenderness`

@@ -18,7 +18,7 @@ struct Acting {
   bool speed = false;
 };
 
-/// What the rings sit on and in, and how far their races move.
+/// Shaft and housing of the rings, and displacement of their races.
 class MountedRings {
  public:
   MountedRings(const Bearing& bearing, const Mounting& mounting, const Surroundings& around,
@@ -91,7 +91,7 @@ double displacement(const Annulus& body, double radius, double inside_pressure, 
 double PressedPair::pressure() const {
   const double seat = within.outer_radius;
   const double overlap = 0.5 * interference + displacement(within, seat) - displacement(around, seat);
-  // Of cold bodies at rest: beside what heat and speed do, a pressure of 1 is lost in round-off.
+  // Cold bodies at rest: compared with the effects of heat and speed, a pressure of 1 is lost in round-off.
   const auto cold = [](Annulus body) {
     body.warmth = body.speed = body.outside_pull = 0.0;
     return body;

@@ -55,7 +55,7 @@ struct PressedPair {
   double pressure() const;
 };
 
-/// What a case states of how a planet bearing is mounted, beside its clearance.
+/// Mounting of a planet bearing to which its stated clearance refers.
 enum class ClearanceState {
   operating,  // the clearance stated is that in which the bearing runs
   unmounted   // it is that of the bearing on the shelf
@@ -147,7 +147,7 @@ void describe(Visitor& visit, Mounting& m) {
       temperature(m.planet_temperature, "bearing.temperature.planet", "temperature of the planet's body"));
 }
 
-/// What spins, and what the outer ring sits in.
+/// Rotating bodies, and the body around the outer ring.
 struct Surroundings {
   double planet_outer_radius = 0.0;  // [m]      of the planet's body: its root circle
   double hanging_mass = 0.0;         // [kg/m]   of the teeth, for each metre of their width

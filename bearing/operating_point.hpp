@@ -12,7 +12,7 @@ namespace orbearing::bearing {
 
 /// Displacement of the outer race along its radius, w(phi) = sum over orders n of cosine_n cos(n phi) +
 /// sine_n sin(n phi), outward positive. Waves of order 1 are displacements of the ring and stay zero: the
-/// ring stands where the mean of its race stands.
+/// ring has the mean position of its race.
 struct ElasticRace {
   /// [m/N]  (orders 0, 1, ...)  c_n: a radial force of a roller of this bearing at phi' displaces the race at
   /// phi by c_n cos(n (phi - phi')), beyond what the contact law itself gives. Empty: rigid.
@@ -20,13 +20,13 @@ struct ElasticRace {
   Eigen::ArrayXd cosine;  // [m]  (orders)  by whatever else presses on ring and body: the teeth of a planet
   Eigen::ArrayXd sine;    // [m]
   /// [kg]  (orders)  twice the kinetic energy of a wave whose largest radial speed is 1 m/s, over its square.
-  /// Used in motion alone, where it is required.
+  /// Used in motion only, where it is required.
   Eigen::ArrayXd mass = {};
 
   bool is_rigid() const { return compliance.size() == 0; }
 };
 
-/// What a sweep changes: the load and the motion of the bearing.
+/// Operating point, which a sweep changes: the load and the motion of the bearing.
 struct OperatingPoint {
   CarrierMotion carrier;
   double inner_speed = 0.0;                             // [rad/s]  race of the pin, relative to the carrier

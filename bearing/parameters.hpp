@@ -1,5 +1,5 @@
-// What the user states about a bearing, of rollers or balls, and what lies around it. SI units throughout.
-// The rows beneath each structure say what its members are for (mechanics/described.hpp).
+// Parameters of a bearing, of rollers or balls, and of the parts around it. SI units throughout. The rows
+// below each structure state the purpose of its members (mechanics/described.hpp).
 #pragma once
 
 #include <cmath>
@@ -98,7 +98,7 @@ constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
   return {{{ContactLaw::palmgren, "palmgren"}, {ContactLaw::iso16281, "iso16281"}}};
 }
 
-/// How a film takes part in the approach of roller and race.
+/// Effect of a film on the approach of roller and race.
 enum class FilmApproach {
   added,               // elastic approach = geometric approach + film
   literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
@@ -109,7 +109,7 @@ constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
   return {{{FilmApproach::added, "added"}, {FilmApproach::literature_variant, "as-printed"}}};
 }
 
-/// How a race moves relative to the load: every point of a turning one passes the loaded zone.
+/// Motion of a race relative to the load: every point of a rotating one passes the load zone.
 enum class RaceMotion { rotating, stationary };
 
 struct RaceMotions {
@@ -172,9 +172,9 @@ struct Bearing {
   Material material;
   ContactLaw contact_law = ContactLaw::palmgren;  // of rollers
   RaceMotions motions{RaceMotion::stationary,
-                      RaceMotion::rotating};  // of a planet, whose load stands on its pin
+                      RaceMotion::rotating};  // of a planet, whose load is fixed to its pin
   double first_element =
-      0.0;  // [rad]  place of the first element from the radial load, under a static load; a
+      0.0;  // [rad]  angle of the first element from the radial load, under a static load; a
             //        motion and a quasi-static pitch state where they begin
 
   const Ring& ring(Race race) const { return race == Race::inner ? inner : outer; }
@@ -183,7 +183,7 @@ struct Bearing {
   bool has_cage() const { return cage.width > 0.0; }
   bool has_rollers() const { return std::holds_alternative<CylindricalRollers>(elements); }
 
-  /// For what knows one kind of elements alone. Throws std::invalid_argument where they are of the other.
+  /// For uses with one kind of elements only. Throws std::invalid_argument where they are of the other.
   const CylindricalRollers& rollers() const { return elements_of_kind<CylindricalRollers>(elements); }
   CylindricalRollers& rollers() { return elements_of_kind<CylindricalRollers>(elements); }
   const Balls& balls() const { return elements_of_kind<Balls>(elements); }
@@ -343,7 +343,7 @@ void describe(Visitor& visit, InertiaSwitches& m) {
                 of_a_switch));
 }
 
-/// How the frame of the bearing moves: at rest for a bearing in a housing.
+/// Motion of the frame of the bearing: at rest for a bearing in a housing.
 struct CarrierMotion {
   double speed = 0.0;         // [rad/s]    Omega
   double acceleration = 0.0;  // [rad/s^2]  dOmega/dt

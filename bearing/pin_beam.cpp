@@ -10,8 +10,8 @@ namespace orbearing::bearing {
 
 namespace {
 
-// Under unit force or moment at one place. Moments m and shear forces v are linear between supports and that
-// place:
+// Under unit force or moment at one position. Moments m and shear forces v are linear between supports and
+// that position:
 //   (1)  displacement_i by load_j = integral m_i m_j/(E I) dz + integral v_i v_j kappa/(G A) dz
 // A flexpin passes all loads of its sleeve at its free end: by a force in the middle it moves by L^3/(12 E I)
 // and does not incline.
@@ -54,12 +54,12 @@ PinSection pin_section_of(const PinBeam& pin) {
   return {pin.material.youngs_modulus * second, coefficient * pin.material.shear_modulus() * area};
 }
 
-// Of products of linear pieces: Simpson's rule is exact.
+// Integral of products of linear pieces: Simpson's rule is exact.
 template <class Integrand>
 double piecewise_integral(const std::vector<double>& breaks, Integrand&& of) {
   double sum = 0.0;
   for (std::size_t i = 1; i < breaks.size(); ++i) {
-    const double a = breaks[i - 1], b = breaks[i], inside = 1e-9 * (b - a);  // jumps stand at the ends
+    const double a = breaks[i - 1], b = breaks[i], inside = 1e-9 * (b - a);  // jumps are at the ends
     sum += (b - a) / 6.0 * (of(a + inside) + 4.0 * of(0.5 * (a + b)) + of(b - inside));
   }
   return sum;
@@ -76,7 +76,7 @@ Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& po
       mechanics::require(pin.ends == PinEnds::flexpin || std::abs(position) < 0.5 * pin.span,
                          "position of a bearing on its pin [m]", position, "between the supports of the pin");
       loads.push_back({position + 0.5 * pin.span, moment});
-      // Of a flexpin moments and shear forces have no break but its ends.
+      // In a flexpin moments and shear forces have no break but its ends.
       if (pin.ends != PinEnds::flexpin) breaks.push_back(loads.back().position);
     }
   std::sort(breaks.begin(), breaks.end());

@@ -1,5 +1,4 @@
-// The pin of a planet as a beam with shear: how far it gives way, and how it inclines, where its bearings
-// sit.
+// The pin of a planet as a beam with shear: its deflection and inclination at its bearings.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +8,7 @@
 
 namespace orbearing::bearing {
 
-/// How the carrier holds a pin.
+/// Support of a pin by the carrier.
 enum class PinEnds {
   both,     // it rests in the middles of both walls
   one,      // clamped in the wall at its negative end
@@ -30,12 +29,12 @@ struct PinBeam {
   mechanics::Material material;
 };
 
-/// Displacement [m] and slope [rad] at each of `places` [m], from the middle of the face, by unit force [N]
-/// and moment [N m] at each, in one plane: rows and columns are displacement (force) at all places, then
-/// slope (moment) at all. By the energy of bending and shear; symmetric. Eqs. (1) and (2) of
+/// Displacement [m] and slope [rad] at each of `positions` [m], from the middle of the face, by unit force
+/// [N] and moment [N m] at each, in one plane: rows and columns are displacement (force) at all positions,
+/// then slope (moment) at all. By the energy of bending and shear; symmetric. Eqs. (1) and (2) of
 /// bearing/pin_beam.cpp.
-/// @throws std::invalid_argument where a place lies beyond the supports; of a flexpin, on a rigid sleeve,
-/// places may lie anywhere
+/// @throws std::invalid_argument where a position lies beyond the supports; of a flexpin, on a rigid sleeve,
+/// positions may lie anywhere
 Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& positions);
 
 }  // namespace orbearing::bearing

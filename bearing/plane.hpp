@@ -1,4 +1,4 @@
-// The plane of the bearing, in the carrier frame: short names for what mechanics knows of it.
+// The plane of the bearing, in the carrier frame: short names for the types of mechanics/plane.hpp.
 #pragma once
 
 #include "mechanics/plane.hpp"

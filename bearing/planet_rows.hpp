@@ -1,4 +1,4 @@
-// Bearings of a planet that are not single rows of cylindrical rollers: which kind, and how their rows stand.
+// Bearings of a planet that are not single rows of cylindrical rollers: kind and arrangement of their rows.
 //
 //     back-to-back (O)                       face-to-face (X)
 //        \  first   second  /                    first      second
@@ -23,7 +23,7 @@ constexpr described::Names<PlanetBearingType, 4> names_of(PlanetBearingType) {
            {PlanetBearingType::deep_groove_ball, "deep-groove-ball"}}};
 }
 
-/// How the two tapered roller bearings of a planet stand to each other.
+/// Arrangement of the two tapered roller bearings of a planet.
 enum class RowArrangement {
   back_to_back,  // O: contact lines meet the axis outside of the pair
   face_to_face,  // X: between both rows
@@ -33,7 +33,7 @@ constexpr described::Names<RowArrangement, 2> names_of(RowArrangement) {
   return {{{RowArrangement::back_to_back, "back-to-back"}, {RowArrangement::face_to_face, "face-to-face"}}};
 }
 
-/// What a case states of these bearings beside Bearing, whose rollers are those of one row.
+/// Rows of planet bearings in a case, in addition to Bearing, whose rollers are those of one row.
 struct PlanetRows {
   PlanetBearingType type = PlanetBearingType::cylindrical_roller;
   double contact_angle = 0.0;  // [rad]  between the normal of the outer race and the radial plane
@@ -47,7 +47,7 @@ struct PlanetRows {
   bool is_cylindrical() const { return type == PlanetBearingType::cylindrical_roller; }
   bool is_tapered() const { return type == PlanetBearingType::tapered_roller; }
   bool has_balls() const { return type == PlanetBearingType::deep_groove_ball; }
-  /// Of one bearing.
+  /// Rows of one bearing.
   int rows() const { return type == PlanetBearingType::spherical_roller ? 2 : 1; }
 };
 

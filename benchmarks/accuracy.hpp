@@ -1,5 +1,5 @@
-// How close a run's means are to the reference, and the loosest tolerance at which an integrator is close
-// enough.
+// Differences of a run's means from the reference, and the loosest tolerance at which an integrator is
+// accurate enough.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ struct Trial {
   MeanErrors errors(Method method, double tolerance);
 };
 
-/// What a search for a tolerance found.
+/// Result of a search for a tolerance.
 struct Fit {
   bool found = false;
   double tolerance = 0.0;  // [m]

@@ -44,7 +44,8 @@ struct BallErrors {
   double rms = 0.0, largest = 0.0, cage_speed = 0.0, loss = 0.0;  // [-]
 };
 
-// What every method must reach: that of a finer run by the same equations, in a motion that chance moves.
+// Accuracy that every method must reach, compared with a finer run of the same equations; the motion is
+// subject to chance.
 constexpr BallErrors kEqual{.rms = 2e-3, .largest = 1e-2, .cage_speed = 2e-3, .loss = 3e-2};
 
 BallErrors errors(const BallFigures& found, const BallFigures& reference) {
@@ -141,7 +142,7 @@ class BallContest {
       const std::vector<double> allowed = system::ball_allowed_errors(model_.numbers(), tolerance);
       options.allowed_error =
           Eigen::Map<const Eigen::VectorXd>(allowed.data(), static_cast<Eigen::Index>(allowed.size()));
-      // What does not move errs by nothing.
+      // A variable that does not move has no error.
       options.allowed_error = (options.allowed_error.array() > 0.0).select(options.allowed_error, 1.0);
     }
     const auto seen = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at) {

@@ -47,7 +47,7 @@ int call_derivative(realtype time, N_Vector x, N_Vector dx, void* derivative) {
   return 0;
 }
 
-// CVODE tells troubles by negative numbers, and by itself on standard error.
+// CVODE reports errors by negative numbers, and also on standard error.
 void require(int flag, const char* what) {
   if (flag < 0)
     throw std::runtime_error(std::string("CVODE: ") + what + " ended with code " + std::to_string(flag));

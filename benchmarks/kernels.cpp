@@ -60,7 +60,7 @@ void add(const std::string& name, Body body) {
       ->Unit(benchmark::kNanosecond);
 }
 
-// The frozen equations know no oil that is pressed out.
+// The frozen equations have no squeeze film.
 Duty without_pressed_oil(Duty duty) {
   duty.parameters.race.squeeze = false;
   duty.parameters.cage.pocket_film = bearing::motion::PocketFilm::none;

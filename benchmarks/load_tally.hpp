@@ -1,4 +1,5 @@
-// What two runs of the same bearing are compared by: paths part company within a millisecond, means do not.
+// Means by which two runs of the same bearing are compared: trajectories diverge within a millisecond, means
+// do not.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@ class LoadTally {
  public:
   explicit LoadTally(int rollers) : rollers_(rollers) {}
 
-  /// Loads [N] of all rollers on both races that stand for `weight` [s].
+  /// Loads [N] of all rollers on both races, with a weight of `weight` [s].
   void add(const double* inner, const double* outer, double weight) {
     double inner_square = 0.0, outer_square = 0.0;
     for (int j = 0; j < rollers_; ++j) {

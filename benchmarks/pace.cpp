@@ -1,5 +1,5 @@
 // orbearing_pace: one bearing's computing time on request, so that two versions of the program can be timed
-// in turn. Compiled beside the benchmarks of this version and beside those of the base (over_base.cmake), by
+// in turn. Compiled with the benchmarks of this version and with those of the base (over_base.cmake), by
 // their own headers: only what both have is used.
 //
 // Requests on standard input, each with one line of answer on standard output:

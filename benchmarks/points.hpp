@@ -1,4 +1,4 @@
-// What dynamic operating points cost from start to life, and how the cost of a step grows with its bearing.
+// Cost of dynamic operating points from start to life, and growth of the cost of a step with its bearing.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Where the middle half of some values lies.
+// Lower and upper quartile of a sample.
 #pragma once
 
 #include <algorithm>

@@ -20,11 +20,11 @@ struct Duty {
   double cage_revolution() const;
 };
 
-/// What the gears do to the bearing: their mean forces alone, or shaken by the real meshes.
+/// Forces of the gears on the bearing: their mean forces only, or with the variation of the real meshes.
 enum class MeshForces { constant, varying };
 
-/// Where oil that is pressed out resists the rollers' approach: nowhere, as in the frozen equations, to the
-/// races alone, or to races and bars of the pockets, the complete model.
+/// Contacts with squeeze film: none, as in the frozen equations, the races only, or races and bars of the
+/// pockets, the complete model.
 enum class Squeeze { off, races, races_and_pockets };
 
 /// The shipped case, with the film in the approach. Throws app::BadInput where it cannot be read.

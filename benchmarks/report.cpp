@@ -124,7 +124,7 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
   out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
   out["fast_allowed_length_error_m"] =
       system::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
-  // What chance alone does to the means: RK4 at another step takes another path.
+  // Effect of chance on the means: RK4 at another step follows another trajectory.
   out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, kOtherReferenceStep));
   for (const auto& [rpm, clearance] : kAccuracyPoints) {
     Trial trial(duty_at(drivetrain, rpm, clearance));
@@ -147,7 +147,7 @@ Json measure() {
   put_kernels(time_kernels(drivetrain), out);
   say("reference of 6000 rpm");
   Trial trial(duty_at(drivetrain, kMiddleSpeed, 0.0));
-  // The frozen equations know no oil that is pressed out.
+  // The frozen equations have no squeeze film.
   Trial frozen_trial(duty_at(shipped_reducer(MeshForces::constant, Squeeze::off), kMiddleSpeed, 0.0));
   check_frozen(frozen_trial, out);
   // The search needs no clock, and both equations agree to round-off: the faster ones serve it.

@@ -6,7 +6,7 @@
 
 namespace orbearing::bench {
 
-/// Measures everything; says on standard error what it is at. Keys as in the contract of the command line.
+/// Measures everything; prints its progress on standard error. Keys as in the contract of the command line.
 nlohmann::ordered_json measure();
 
 /// The same for people.

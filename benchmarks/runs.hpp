@@ -12,7 +12,7 @@
 
 namespace orbearing::bench {
 
-/// What the integrators are compared by, over one run.
+/// Means over one run by which the integrators are compared.
 struct RunMeans {
   double inner_rms = 0.0;   // [N]      of one roller, over all rollers
   double outer_rms = 0.0;   // [N]
@@ -20,7 +20,7 @@ struct RunMeans {
   double cage_speed = 0.0;  // [rad/s]  relative to the carrier
 };
 
-/// How a run went.
+/// Result of a run.
 struct Run {
   Eigen::VectorXd state;      // at the end
   RunMeans means;             // of an observed run
@@ -29,7 +29,7 @@ struct Run {
   double wall_seconds = 0.0;  // [s]
 };
 
-/// How long, and how closely watched. Unwatched runs are for timing.
+/// Duration and samples of a run. Runs without samples are for timing.
 struct Span {
   double duration = 0.0;  // [s]
   long samples = 0;       // [-]  0: loads are not gathered
@@ -50,7 +50,7 @@ class Contest {
  public:
   explicit Contest(const Duty& duty);
 
-  /// Where the quasi-static bearing has rollers and rings.
+  /// State with the positions of rollers and rings of the quasi-static bearing.
   Eigen::VectorXd quasi_static_start() const;
   /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);

@@ -6,9 +6,9 @@
 
 namespace orbearing::bench {
 
-/// How many times faster the fast path is in `trial` than `method` at its tolerance in `theirs`, which
-/// differs from it by what the equations of that method do not know: over pairs of runs taken in turn, CPU
-/// time of this thread.
+/// Ratio of speeds: the fast path in `trial` over `method` at its tolerance in `theirs`, which leaves
+/// out effects that the equations of that method do not include: over pairs of runs taken in turn, CPU time
+/// of this thread.
 Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance);
 
 /// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the

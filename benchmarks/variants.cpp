@@ -116,7 +116,7 @@ Json to_json(const Count& count) {
   return {{"steps", count.steps}, {"refused", count.refused()}};
 }
 
-// What a common step costs is told only by the same steps.
+// The cost of a common step is comparable only if the steps are the same.
 void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
   const Count together = run_together(variants, 1);
   if (together.steps != alone.steps || together.attempts != alone.attempts)
@@ -125,7 +125,7 @@ void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
                     together.steps, together.attempts, alone.steps, alone.attempts));
 }
 
-// Attempts of `lanes` variants in one lockstep over the mean of those that each needs alone, with a common
+// Attempts of `lanes` variants in one lockstep over the mean of those that each needs singly, with a common
 // step, and with steps of their own where lanes wait for the last one (`waiting`); lanes that are refilled
 // wait for none.
 Json neighbours(const std::vector<Duty>& duties) {

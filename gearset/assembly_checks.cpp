@@ -152,7 +152,7 @@ void check_reach(const MeshGeometry& mesh, const std::string& name, Warnings& pr
            " mesh; teeth that reach each other are required; change the shifts of sun and ring"});
 }
 
-// Of a set that cannot be built: whether its tooth numbers are to blame before its shifts are.
+// For a set that cannot be assembled: checks the tooth numbers before the profile shifts.
 void check_tooth_sum(const PlanetarySet& set, Warnings& problems) {
   constexpr int by_shifts = 2;  // teeth that usual shifts make up
   const int sum = set.sun_teeth + 2 * set.planet_teeth;

@@ -13,14 +13,14 @@ namespace orbearing::gearset {
 /// remedy.
 Warnings assembly_problems(const PlanetarySet& set);
 
-/// Those that tooth numbers and planet positions alone tell.
+/// Problems that follow from tooth numbers and planet positions only.
 Warnings spacing_problems(const PlanetarySet& set);
 
 /// Reasons why a basic rack can cut no teeth.
 /// @param block of the case that states the rack: "gearset"
 Warnings rack_problems(const BasicRack& rack, const std::string& block);
 
-/// Faults of a set that runs all the same: undercut, and ends of teeth that reach where there is no involute.
+/// Faults of a set that can still run: undercut, and ends of teeth that reach where there is no involute.
 Warnings tooth_warnings(const WorkingGeometry& geometry);
 
 /// Room between the teeth of a ring and of the gear inside it where their tip circles cross, outside the path
@@ -30,8 +30,8 @@ Warnings tooth_warnings(const WorkingGeometry& geometry);
 double ring_tip_clearance(const InternalMesh& mesh);
 double ring_tip_clearance(const WorkingGeometry& geometry);
 
-/// What is wrong with the teeth of an external gear in mesh with another, but for undercut and contact ratio:
-/// tips of the other beyond the end of its involute or in its roots.
+/// Faults of the teeth of an external gear in mesh with another, except undercut and contact ratio: tips of
+/// the other beyond the end of its involute or in its roots.
 /// @param distance [m] of the axes
 /// @param working_angle [rad] transverse working pressure angle
 /// @param gear, other what both are called
@@ -39,8 +39,8 @@ void warn_of_external_mesh(const ExternalTooth& tooth, const ExternalTooth& mate
                            double working_angle, const std::string& gear, const std::string& other,
                            ToothWarnings& warnings);
 
-/// What is wrong with a ring and the gear inside it, but for undercut and contact ratio: tips beyond the end
-/// of an involute, in the roots or fouling each other.
+/// Faults of a ring and the gear inside it, except undercut and contact ratio: tips beyond the end of an
+/// involute, in the roots or fouling each other.
 /// @param inside what the gear inside is called
 void warn_of_internal_mesh(const InternalMesh& mesh, const std::string& inside, ToothWarnings& warnings);
 

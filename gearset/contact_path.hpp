@@ -1,4 +1,4 @@
-// Where on the line of action a pair of gears touches.
+// Path of contact of a gear pair on its line of action.
 #pragma once
 
 #include "gearset/tooth_form.hpp"

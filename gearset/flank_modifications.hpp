@@ -1,4 +1,4 @@
-// How teeth touch over a mesh period, and how their flanks depart from involutes.
+// Contact of teeth over a mesh period, and deviations of their flanks from involutes.
 #pragma once
 
 #include "mechanics/described.hpp"
@@ -15,7 +15,7 @@ constexpr described::Names<ToothContact, 2> names_of(ToothContact) {
   return {{{ToothContact::stepped, "stepped"}, {ToothContact::loaded, "loaded"}}};
 }
 
-/// How tip relief grows from where it begins to the tip.
+/// Form of tip relief, from its beginning to the tip.
 enum class ReliefForm { linear, parabolic };
 
 constexpr described::Names<ReliefForm, 2> names_of(ReliefForm) {

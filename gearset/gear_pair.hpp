@@ -46,8 +46,8 @@ void describe(Visitor& visit, InternalPair& m) {
                 {.range = {1.005, 20.0}, .reason = "a rim of some five modules"}));
 }
 
-/// What the user states about a pair; the first gear drives. Of an internal pair the gear with more teeth is
-/// the ring.
+/// Parameters of a gear pair; the first gear drives. In an internal pair the gear with more teeth is the
+/// ring.
 struct GearPair {
   std::array<int, 2> teeth = {0, 0};
   std::array<double, 2> shift = {0.0, 0.0};  // [module]
@@ -64,7 +64,7 @@ struct GearPair {
   std::optional<double> driven_bore() const {
     return is_internal() ? std::nullopt : std::get<ExternalPair>(kind).driven_bore;
   }
-  /// Of an internal pair.
+  /// Index of the ring; internal pairs only.
   std::size_t ring() const { return teeth[0] > teeth[1] ? 0 : 1; }
   std::size_t inside() const { return 1 - ring(); }
   /// [m]  diameter of a gear that is no ring
@@ -124,7 +124,7 @@ std::string bore_key(const GearPair& pair, std::size_t gear);
 /// Reasons why the pair cannot be built; empty if it can. Places are "pair.teeth" and so on.
 Warnings pair_problems(const GearPair& pair);
 
-/// Faults of a pair that runs all the same.
+/// Faults of a pair that can still run.
 Warnings pair_warnings(const PairGeometry& geometry);
 Warnings pair_warnings(const InternalMesh& mesh);
 

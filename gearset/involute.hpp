@@ -7,7 +7,7 @@
 
 namespace orbearing::gearset {
 
-// Zero of a function between two places of opposite sign.
+// Zero of a function between two points of opposite sign.
 
 /// Zero of a continuous function that changes sign on [low, high], to round-off.
 template <typename Function>

@@ -27,8 +27,8 @@ struct MemberRatios {
   Torques torque;  // [-]
 };
 
-/// Speeds when `drive.member` turns at drive.driven_speed() and the fixed member stands. Eqs. (15) and (16)
-/// of gearset/README.md.
+/// Speeds when `drive.member` turns at drive.driven_speed() and the fixed member is stationary. Eqs. (15) and
+/// (16) of gearset/README.md.
 /// @throws std::invalid_argument if the driven member is the fixed one, or its speed is not positive and
 /// finite
 Speeds member_speeds(const PlanetarySet& set, const Drive& drive);

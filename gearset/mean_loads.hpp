@@ -24,12 +24,12 @@ struct MeanLoads {
   double tangential_force =
       0.0;  // [N]      y, on one planet, both meshes; positive when the planet pulls the carrier on
   double radial_force = 0.0;  // [N]      x, on one planet, both meshes; positive outward
-  // Of helical teeth, along and about the axis on which the carrier turns counterclockwise:
+  // Helical teeth, along and about the axis on which the carrier turns counterclockwise:
   double tooth_force = 0.0;         // [N]    of one mesh of one planet, normal to the teeth
   double axial_force = 0.0;         // [N]    z, of the sun on one planet; the ring's is opposite and as large
   double overturning_moment = 0.0;  // [N m]  about y, on one planet: tilts its axis outward at positive z
   double sun_thrust = 0.0;          // [N]    z, of all planets on the sun; that on the ring is opposite
-  // Of stepped planets:
+  // Stepped planets:
   double ring_normal_force = 0.0;  // [N]    as normal_force, of the ring mesh
   double couple_outward =
       0.0;                    // [N m]  of both meshes about the middle of a planet: leans its axis outward at
@@ -56,7 +56,7 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 MeanLoads member_loads(const MemberRatios& ratios, const Drive& drive);
 
 /// Mean loads of a set whose members turn and are loaded as `ratios` of what `drive` puts into the
-/// drivetrain; drive.member has no meaning here. Where the carrier would turn backwards the set is seen from
+/// drivetrain; drive.member has no meaning here. If the carrier would turn backwards, the set is viewed from
 /// its other side, so that the frame of the planet still runs with it.
 /// @throws std::invalid_argument if power or speed is not positive
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,

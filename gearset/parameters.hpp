@@ -1,4 +1,4 @@
-// What the user states about a planetary gear set, and how it is driven. SI units throughout.
+// Parameters of a planetary gear set and of its drive. SI units throughout.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@ constexpr described::Names<Member, 3> names_of(Member) {
   return {{{Member::sun, "sun"}, {Member::ring, "ring"}, {Member::carrier, "carrier"}}};
 }
 
-/// What the axial bearing of a helical sun stands on.
+/// Body that supports the axial bearing of a helical sun.
 enum class SunThrust { housing, carrier };
 
 constexpr described::Names<SunThrust, 2> names_of(SunThrust) {
   return {{{SunThrust::housing, "housing"}, {SunThrust::carrier, "carrier"}}};
 }
 
-/// Basic rack profile; lengths in units of the module (ISO 53). Of helical teeth it is that of the section
+/// Basic rack profile; lengths in units of the module (ISO 53). For helical teeth it is that of the section
 /// normal to them, and the module is the normal one [ISO21771].
 struct BasicRack {
   double pressure_angle = 0.3490658503988659;  // [rad]     20 degrees
@@ -34,7 +34,7 @@ struct BasicRack {
   double root_fillet_radius = 0.38;            // [module]  rho_f*
 };
 
-/// Of the block of a case, "gearset." or "pair.", to which the rack belongs.
+/// Rack of the block "gearset." or "pair." of a case.
 template <class Visitor>
 void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, described::Physics physics,
                    unsigned models) {
@@ -53,14 +53,14 @@ void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, descr
             {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
 
-/// What a gear has of its own in place of the rack's; none: as the rack.
+/// Tooth heights of a single gear that differ from the rack's; none: as the rack.
 struct OwnHeights {
   std::optional<double> addendum;  // [module]
   std::optional<double>
       clearance;  // [module]  under its own tips, added to its addendum: the depth of its roots
 };
 
-/// Of the sun, a planet or the ring.
+/// Heights of the sun, a planet or the ring.
 template <class Visitor>
 void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, described::Physics physics) {
   using namespace described;
@@ -111,7 +111,7 @@ inline described::Row<double> helix_row(double& member, const std::string& block
                            .reason = "spur gears"});
 }
 
-/// A second gear on each planet, which meshes with the ring in place of the first. Without teeth there is
+/// A second gear on each planet, which meshes with the ring instead of the first. Without teeth there is
 /// none.
 struct SteppedPlanet {
   int teeth = 0;
@@ -278,11 +278,11 @@ struct Drive {
   double motor_ratio =
       1.0;  // [-]  speed of the motor over `speed`: of the driven member, or before a stage in front
 
-  /// That teeth and bearings are loaded by. [W]
+  /// Power that loads teeth and bearings. [W]
   double load_power() const { return application_factor * power; }
   /// [rad/s]
   double motor_speed() const { return speed * motor_ratio; }
-  /// Of the driven member itself, behind all stages in front. Eq. (40) of gearset/README.md. [rad/s]
+  /// Speed of the driven member itself, behind all stages in front. Eq. (40) of gearset/README.md. [rad/s]
   double driven_speed() const {
     double of_shaft = motor_speed();
     for (const StageTeeth& teeth : parallel.front) of_shaft = of_shaft * teeth[0] / teeth[1];

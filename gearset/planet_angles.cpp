@@ -23,7 +23,7 @@ double fitting_step(const PlanetarySet& set) {
   return two_pi / willis_teeth(set).positions();
 }
 
-// Of a set without teeth, any.
+// The angle itself for a set without teeth, which fits at any angle.
 double nearest_fitting(const PlanetarySet& set, double angle) {
   if (set.sun_teeth + set.ring_teeth == 0) return angle;
   return std::round(angle / fitting_step(set)) * fitting_step(set);

@@ -1,4 +1,4 @@
-// Where the planets of a set stand on their carrier.
+// Angular positions of the planets of a set on their carrier.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace orbearing::gearset {
 
-/// Places all round at equal steps from zero. [rad] anticlockwise
+/// Angles all round at equal steps from zero. [rad] anticlockwise
 std::vector<double> even_angles(int planets);
 
 /// Angles of the planets of a set, [rad] anticlockwise from the first: evenly, or as stated, on the angles
@@ -23,11 +23,11 @@ std::string nearest_to_even(const PlanetarySet& set);
 /// Whether planets follow one another at unequal steps.
 bool stands_unevenly(const PlanetarySet& set);
 
-/// Reasons why planets cannot stand where they are stated to: their number, their order, teeth that do not
-/// fit there. Empty if they can.
+/// Reasons why planets cannot be at the stated positions: their number, their order, teeth that do not fit
+/// there. Empty if they can.
 Warnings position_problems(const PlanetarySet& set);
 
-/// The least angle between neighbours [rad]; a whole turn of a planet alone.
+/// The least angle between neighbours [rad]; a whole turn for a single planet.
 double least_step(const std::vector<double>& angles);
 
 }  // namespace orbearing::gearset

@@ -52,8 +52,9 @@ Vector2d ahead_of(const Vector2d& outward) {
   return {-outward.y(), outward.x()};
 }
 
-// Of all meshes of one planet, x outward from the sun's axis through the first planet. `push` [N] is the
-// force of each mesh along its line of action, positive where the sun drives the first planet on. Eq. (47).
+// Sum of the forces of all meshes on one planet, x outward from the sun's axis through the first planet.
+// `push` [N] is the force of each mesh along its line of action, positive where the sun drives the first
+// planet on. Eq. (47).
 Vector2d force_on(const PlanetPairGeometry& g, const PlanetOfPair& planet, double push) {
   const double sense = planet.pair.side == PairSide::ahead ? 1.0 : -1.0, size = std::abs(push);
   const Vector2d first(g.first_distance, 0.0), outward = direction(sense * g.angle);

@@ -16,15 +16,14 @@
 
 namespace orbearing::gearset {
 
-/// Where the second planet of a pair stands, in the sense in which the carrier rotates.
+/// Position of the second planet of a pair, in the sense in which the carrier rotates.
 enum class PairSide { ahead, behind };
 
 constexpr described::Names<PairSide, 2> names_of(PairSide) {
   return {{{PairSide::ahead, "ahead"}, {PairSide::behind, "behind"}}};
 }
 
-/// What a case states of the second planet. Without teeth there is none, and PlanetarySet::planets are
-/// single.
+/// The second planet in a case. Without teeth there is none, and PlanetarySet::planets are single.
 struct SecondPlanet {
   int teeth = 0;
   double first_shift = 0.0;  // [module]  profile shift of the first planet, which nothing else fixes
@@ -78,12 +77,12 @@ struct PlanetPairGeometry {
 /// @throws std::domain_error where a mesh has no distance without backlash, or the three make no triangle
 PlanetPairGeometry planet_pair_geometry(const PlanetarySet& set, const SecondPlanet& pair);
 
-/// The same as one planet sees it: its own tooth, the distance of its axis from the sun's; sun_mesh is that
-/// of the first planet with the sun, or of the second with the first.
+/// The geometry from one planet: its own tooth, the distance of its axis from the sun's; sun_mesh is that of
+/// the first planet with the sun, or of the second with the first.
 WorkingGeometry geometry_of_planet(const PlanetarySet& set, const PlanetOfPair& planet);
 
-/// Of speeds and torques: where the carrier stands, the ring turns as the sun does, as if its teeth were
-/// negative. Eq. (46).
+/// For speeds and torques: with a stationary carrier, the ring turns in the same sense as the sun, as if its
+/// teeth were negative. Eq. (46).
 WillisTeeth willis_teeth_of_pairs(const PlanetarySet& set);
 
 /// Loads of one planet in its own frame: x outward through its axis, y in the sense of the carrier's
@@ -92,11 +91,11 @@ WillisTeeth willis_teeth_of_pairs(const PlanetarySet& set);
 MeanLoads mean_loads_of_planet(const PlanetarySet& set, const PlanetOfPair& planet,
                                const MemberRatios& ratios, const Drive& drive);
 
-/// Faults of the teeth of pairs that run all the same, as tooth_warnings() has them for single planets.
+/// Faults of the teeth of pairs that can still run, as tooth_warnings() has them for single planets.
 /// @throws std::domain_error as planet_pair_geometry()
 Warnings pair_tooth_warnings(const PlanetarySet& set, const SecondPlanet& pair);
 
-/// What makes pairs impossible to build or assemble.
+/// Reasons why pairs cannot be built or assembled.
 Warnings pair_problems(const PlanetarySet& set, const SecondPlanet& pair);
 
 }  // namespace orbearing::gearset

@@ -30,7 +30,7 @@ WillisTeeth willis_teeth(const PlanetarySet& set);
 double ring_module(const PlanetarySet& set);
 double ring_face(const PlanetarySet& set);
 
-/// Where the gears of a planet lie.
+/// Axial positions of the gears of a planet.
 struct GearPlanes {
   double sun = 0.0;     // [m]  middle of the face of the sun mesh, from the middle of the planet
   double ring = 0.0;    // [m]  of the ring mesh

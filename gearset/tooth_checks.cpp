@@ -57,7 +57,7 @@ void check_reaches(const WorkingGeometry& g, const std::string& inside, ToothWar
   check_ring_tip(g.ring, warnings);
 }
 
-// Shifted external gears come closer than the sum of their shifts asks.
+// Shifted external gears have a smaller centre distance than the sum of their shifts requires.
 void check_clearances(const WorkingGeometry& g, const std::string& inside, ToothWarnings& warnings) {
   const double a = g.centre_distance;
   warnings.clearance(a - g.sun.tip_radius - g.planet.root_radius, g.sun.module, "sun", "planet");
@@ -65,7 +65,7 @@ void check_clearances(const WorkingGeometry& g, const std::string& inside, Tooth
   check_ring_clearances(ring_mesh_of(g), inside, warnings);
 }
 
-// The shift that nobody states: a wrong number of teeth shows in it.
+// The derived shift: a wrong number of teeth shows in it.
 void check_planet_shift(const WorkingGeometry& g, ToothWarnings& warnings) {
   if (std::abs(g.planet_shift) <= kUsualShift) return;
   const auto number = [](int teeth) { return std::to_string(teeth); };

@@ -33,7 +33,7 @@ RackFillet rack_fillet(double shift, double module, const BasicRack& rack, doubl
   return fillet;
 }
 
-// Of the tooth of an external gear with these data, or of the space in a ring.
+// Angle of the tooth of an external gear with these data, or of the space in a ring.
 template <typename Tooth>
 double rack_cut_base_half_angle(const Tooth& tooth) {
   const double at_pitch_circle =
@@ -49,7 +49,7 @@ double trochoid_half_angle(const ExternalTooth& tooth, double radius) {
   return trochoid_point(tooth, trochoid_normal_angle(tooth, radius)).half_angle;
 }
 
-// Where the straight flank of the rack ends on the line of action, from the tangent point on the base circle;
+// End of the straight flank of the rack on the line of action, from the tangent point on the base circle;
 // negative when the rack reaches beyond that point and cuts the involute's foot away. Eq. (10).
 double rack_flank_end(const ExternalTooth& tooth) {
   const double sine = std::sin(tooth.pressure_angle);
@@ -80,7 +80,7 @@ double find_form_radius(const ExternalTooth& tooth) {
   return std::hypot(tooth.base_radius, rack_flank_end(tooth));
 }
 
-// Eqs. (31) and (33). What external gears and rings have alike.
+// Eqs. (31) and (33). Common data of external gears and rings.
 template <typename Tooth>
 Tooth reference_tooth(int teeth, double shift, double module, const BasicRack& rack, double helix_angle) {
   assert(teeth > 0 && module > 0.0);

@@ -126,9 +126,9 @@ double trochoid_normal_angle(const ExternalTooth& tooth, double radius);
 /// @param points_per_part number of points on the trochoid and on the involute each, at least 2
 std::vector<Eigen::Vector2d> flank_points(const ExternalTooth& tooth, int points_per_part);
 
-// Warnings of teeth that run all the same, for every kind of gear train.
+// Warnings of teeth that can still run, for every kind of gear train.
 
-/// Where warnings go, and the key of the case that they concern.
+/// List of warnings, and the key of the case that they concern.
 struct ToothWarnings {
   std::string position;
   Warnings list;

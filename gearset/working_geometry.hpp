@@ -63,7 +63,7 @@ double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry
 
 /// Finds the centre distance, and with it the planet's shift, at which the planet meshes without backlash
 /// with both sun and ring. Eqs. (2) to (5) of gearset/README.md, in the transverse section of helical teeth.
-/// Of a stepped planet the ring mesh makes the distance, and the first gear's shift follows from it.
+/// With stepped planets the ring mesh determines the distance, and the first gear's shift follows from it.
 /// @throws std::domain_error if no centre distance serves both meshes, or a tooth cannot be formed
 WorkingGeometry working_geometry(const PlanetarySet& set);
 

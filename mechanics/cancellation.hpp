@@ -6,8 +6,8 @@
 
 namespace orbearing {
 
-/// Thrown by computations that were asked to stop. No std::exception on purpose: whoever turns errors of a
-/// computation into a status or a message would otherwise keep what was only broken off as if it had failed.
+/// Thrown by computations on request_stop(). Not a std::exception on purpose: code that turns errors of a
+/// computation into a status or a message would otherwise report an interrupted computation as failed.
 class Cancelled {
  public:
   const char* what() const noexcept { return "interrupted"; }
@@ -19,7 +19,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touc
 }  // namespace detail
 
 /// From any thread or signal handler: computations in progress, on all threads, throw Cancelled within a
-/// second, and so do those that are begun until clear_stop(). Nobody in the libraries asks for it by himself.
+/// second, and so do those that are begun until clear_stop(). The libraries never call it themselves.
 inline void request_stop() noexcept {
   detail::stop_wished.store(true, std::memory_order_relaxed);
 }

@@ -17,8 +17,8 @@
 
 namespace orbearing::mechanics {
 
-/// Forces out of balance at one place of N coordinates, and how stiffly they resist. All coordinates are
-/// lengths [m], tilts being taken at a lever, so that all forces are in [N]. N may be Eigen::Dynamic.
+/// Unbalanced forces at one position of N coordinates, and the stiffness there. All coordinates are lengths
+/// [m], tilts being multiplied by a lever, so that all forces are in [N]. N may be Eigen::Dynamic.
 template <int N>
 struct Imbalance {
   // Without coordinates where their number is not known yet.
@@ -26,19 +26,19 @@ struct Imbalance {
       Eigen::Vector<double, N>::Zero(N == Eigen::Dynamic ? 0 : N);  // [N]  -d(energy)
   Eigen::Matrix<double, N, N> stiffness =
       Eigen::Matrix<double, N, N>::Zero(force.size(), force.size());  // [N/m]  -d(force)
-  double scale = 0.0;  // [N]  the largest of the forces that balance
+  double scale = 0.0;  // [N]  the largest of the forces in equilibrium
 };
 
 struct SearchLimits {
   double reach = 0.0;         // [m]  longest step: the length on which the contacts change
-  double size = 0.0;          // [m]  lengths beside the coordinates whose differences the contacts take
+  double size = 0.0;          // [m]  other lengths in the differences that enter the contacts
   double tolerance = 1e-12;   // [-]  of the force that remains, over the scale
   double acceptable = 1e-9;   // [-]  the same, where round-off ends the search before
   double resolution = 1e-15;  // [-]  of the lengths: a shorter step changes nothing
   int most_iterations = 200;
 };
 
-/// How a search ended. What did not converge is the last iterate: ask before use.
+/// Result of a search. Without convergence it is the last iterate: check before use.
 struct SearchReport {
   bool converged = false;
   int iterations = 0;
@@ -85,7 +85,7 @@ Eigen::Vector<double, N> within(double reach, const Eigen::Vector<double, N>& st
 
 }  // namespace detail
 
-/// Whether what remains of the force at `place` is as little as it need be, or as lengths can resolve.
+/// Whether the residual force at `position` is below the limit, or below the resolution of lengths.
 template <int N>
 bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& position,
                  const SearchLimits& limits) {
@@ -95,7 +95,7 @@ bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& positi
 
 namespace detail {
 
-// The search of all balances. `lengths(force, stiffness)` are those that the force causes.
+// The search of all equilibria. `lengths(force, stiffness)` are those that the force causes.
 template <int N, class Function, class Lengths>
 SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, const SearchLimits& limits,
                            Eigen::Vector<double, N>& position, Imbalance<N>& now) {
@@ -126,8 +126,8 @@ SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, cons
 
 }  // namespace detail
 
-/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
-/// then the balance, `now` the imbalance there. Throws Cancelled.
+/// Follows `imbalance_at(position)`, an Imbalance<N>, to where the force vanishes. `position` holds the start
+/// and then the equilibrium, `now` the imbalance there. Throws Cancelled.
 template <int N, class Function>
 SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
                           Eigen::Vector<double, N>& position, Imbalance<N>& now) {

@@ -1,4 +1,4 @@
-// How parameters are described: one row for each member of a structure of parameters, beside the structure.
+// Descriptions of parameters: one row for each member of a structure of parameters, next to the structure.
 // Case files, their schema, the list of assumptions and the variables of FMUs all come from these rows.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace orbearing::described {
 
-/// What a quantity measures: its coherent SI unit, the unit people write it in, and an example for messages.
+/// A physical quantity: its coherent SI unit, the customary unit in files, and an example for messages.
 struct Dimension {
   std::string_view name;       // "length"
   std::string_view si;         // "m"        unit of every number inside the program
@@ -91,7 +91,7 @@ inline constexpr unsigned single_ball_bearing = ball_bearing | ball_motion;
 inline constexpr unsigned with_balls = single_ball_bearing | raceway_defect | duplex_pair;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
-/// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.
+/// The same, and bearings with scratches, whose bodies can all move in time on request.
 inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
 inline constexpr unsigned in_time = in_motion | raceway_defect;
 /// Bearings that may have scratches: by themselves, or in a planet.
@@ -101,7 +101,7 @@ inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | 
 /// Those whose results the material decides: rollers on a ring that vibrates have contact laws of steel.
 inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect | gear_pair | spin_film};
 
-/// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
+/// In `required_by`: a planetary set described by masses and stiffnesses instead of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
 
 /// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
@@ -123,18 +123,18 @@ enum class Physics {
   at_rest,    // bearings at rest, and those in motion that start from them
   motion,     // rollers and cage in motion
   euler,      // the carrier's speed that changes
-  life,       // what loads of the rollers are worth in life
+  life,       // effect of the rollers' loads on life
   run,        // means over time
   run_up,     // speeds that grow
   single_bearing,      // a single bearing under a load of its own
-  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in balance
-  single_bearing_run,  // a ball bearing by itself in time
+  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in static equilibrium
+  single_bearing_run,  // a ball bearing alone in time
   defect,              // a bearing with scratches in motion
   exchange,            // windows of a co-simulation
   carrier_body         // the carrier in three dimensions, held by its own bearings
 };
 
-/// What an FMU shows of a member.
+/// How an FMU exposes a member.
 enum class InFmu {
   resource,   // travels with the model, unseen
   parameter,  // settable before the run
@@ -142,15 +142,15 @@ enum class InFmu {
 };
 
 /// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
-/// value, where it is given and not zero. Of several paths with | between one has to be so.
+/// value, where it is given and not zero. Several paths, with | between: one must meet it.
 struct Where {
   std::string_view path{};
   std::string_view value{};
 };
 
-/// What a row may say beyond the parameter's name, physics and meaning. Texts are literals.
+/// Optional data of a row, besides the parameter's name, physics and meaning. Texts are literals.
 struct Details {
-  unsigned models = no_model;       // that know it in a case
+  unsigned models = no_model;       // that have it in a case
   unsigned required_by = no_model;  // that cannot do without it
   Dimension dimension{};            // none: a plain number
   Range range{};
@@ -159,8 +159,8 @@ struct Details {
   Where where{};
   bool default_without_bearing = false;  // the default counts only where a set has no bearing
   InFmu fmu = InFmu::resource;
-  /// Of the way a result is computed, not of the machine: no printed digit hangs on it, or its error is printed
-  /// beside (tests/interface/numerical_settings.py).
+  /// Setting of the numerical method, not of the machine: no printed digit depends on it, or its error is
+  /// printed with the result (tests/interface/numerical_settings.py).
   bool numerical = false;
 };
 
@@ -172,8 +172,8 @@ struct Facts {
   Details details{};
 };
 
-/// One value of an enumeration as a case writes it. Beside each enumeration that a case can choose from
-/// stands `names_of(E)`, which gives a `Names`.
+/// One value of an enumeration as a case writes it. Next to each enumeration that a case can choose from is
+/// `names_of(E)`, which returns a `Names`.
 template <class E>
 struct Name {
   E value;
@@ -182,7 +182,7 @@ struct Name {
 template <class E, std::size_t n>
 using Names = std::array<Name<E>, n>;
 
-/// How a case writes a value of an enumeration.
+/// Name by which a case writes a value of an enumeration.
 template <class E>
 constexpr std::string_view text_of(E value) {
   for (const auto& name : names_of(value))
@@ -246,7 +246,7 @@ template <class Part>
 PartRow<Part> part(Part& member) {
   return {member};
 }
-/// The same, whose rows stand in a block of the case.
+/// The same for rows in a block of the case.
 template <class Part>
 BlockRow<Part> block(Part& member, std::string key) {
   return {member, std::move(key)};
@@ -337,7 +337,7 @@ void visit_row(Visitor& visit, const BlockRow<Part>& row) {
   Within<Visitor> inside(visit, row.key);
   describe(inside, row.part);
 }
-// How alternatives are told apart is the visitor's: `self` is the one that describes them.
+// How alternatives are distinguished is up to the visitor: `self` is the one that describes them.
 template <class Visitor, class Variant>
 void visit_row(Visitor& visit, const ChoiceRow<Variant>& row) {
   visit.choose(visit, row.member, row.facts);

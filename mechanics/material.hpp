@@ -16,7 +16,7 @@ struct Material {
   double plane_strain_modulus() const { return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio); }
 };
 
-/// Of what has no mass.
+/// Elastic constants, for bodies without mass.
 struct Elasticity {
   double youngs_modulus = Material{}.youngs_modulus;  // [Pa]
   double poisson_ratio = Material{}.poisson_ratio;    // [-]

@@ -1,9 +1,8 @@
-// Where do forces vanish that change with a share from 0 to 1, when the balance at 0 is known? The balance is
-// followed along its path, by arc length, so that the path may turn back on the way.
+// Equilibrium of forces that depend on a load share from 0 to 1, from the known equilibrium at share 0. The
+// search follows the equilibrium path by arc length, so the path may turn back on the way.
 //
-// Steps of Newton's method across the path bring each guess along its tangent back onto it [Keller1977].
-// Where forces are continuous, hold whatever is far away, and balance at one place alone at share 0, the path
-// ends at share 1.
+// Newton steps across the path bring each guess along its tangent back onto it [Keller1977]. The path ends at
+// share 1 if forces are continuous, resist large displacements, and have a single equilibrium at share 0.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,15 +12,15 @@
 
 namespace orbearing::mechanics {
 
-/// Forces out of balance at one place and share.
+/// Unbalanced forces at one position and share.
 struct PathForces {
   Eigen::VectorXd force;      // [N]
-  Eigen::MatrixXd stiffness;  // [N/m]  -d(force)/d(place)
+  Eigen::MatrixXd stiffness;  // [N/m]  -d(force)/d(position)
   Eigen::VectorXd by_share;   // [N]    d(force)/d(share)
-  double scale = 0.0;         // [N]    the largest of the forces that balance
+  double scale = 0.0;         // [N]    the largest of the forces in equilibrium
 };
 
-/// How a path ended: `converged` where share 1 was reached.
+/// Result of a path search: `converged` if share 1 was reached.
 struct PathReport {
   bool converged = false;
   int steps = 0;
@@ -30,7 +29,7 @@ struct PathReport {
 
 namespace detail {
 
-// Place in units of the path's length, and behind it the share.
+// Position in units of the path's length, followed by the share.
 template <class Function>
 class Path {
  public:
@@ -84,14 +83,15 @@ class Path {
 
 }  // namespace detail
 
-/// Follows the balance of `forces_at(place, share)`, PathForces, from `place` at share 0 to share 1; `place`
-/// [m] then is there, or where the path was lost. `length` [m] is that on which forces change.
+/// Follows the equilibrium of `forces_at(position, share)`, PathForces, from `position` at share 0 to share
+/// 1; `position` [m] then is the equilibrium there, or the point where the path was lost. `length` [m] is the
+/// length over which forces change.
 template <class Function>
 PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& position) {
   constexpr int kMostSteps = 600, kMostCorrections = 10;
   constexpr double kFirst = 0.05, kShortest = 1e-7, kLongest = 0.5;
   constexpr double kLeastTurn = 0.8;              // cosine between steps
-  constexpr double kNear = 1e-7, kAtEnd = 1e-11;  // of the forces that balance
+  constexpr double kNear = 1e-7, kAtEnd = 1e-11;  // of the forces in equilibrium
   const Eigen::Index n = position.size();
   detail::Path path(forces_at, length);
   Eigen::VectorXd point(n + 1), across = Eigen::VectorXd::Unit(n + 1, n);

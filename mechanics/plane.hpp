@@ -28,7 +28,7 @@ struct BodyMotion {
   Vector2 position;    // [m]      of its centre
   Vector2 velocity;    // [m/s]    of its centre
   double speed = 0.0;  // [rad/s]  of its rotation
-  double angle = 0.0;  // [rad]    turned since t = 0; asked of races that are not round
+  double angle = 0.0;  // [rad]    turned since t = 0; used for races that are not round
 };
 
 /// Force through the centre of a body and moment about it.

@@ -1,4 +1,4 @@
-// What is wrong with the inputs of a machine, or worth knowing of them, tied to the input that it concerns.
+// Errors and warnings about the inputs of a machine, each with the input that it concerns.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace orbearing::mechanics {
 
-/// What was found and what it means or asks for; `key` is that of the case file, such as "gearset.teeth". Of
-/// a refusal the text is "found; required".
+/// Finding, and its meaning or requirement; `key` is that of the case file, such as "gearset.teeth". Text of
+/// an error: "found; required".
 struct Problem {
   std::string key;
   std::string text;

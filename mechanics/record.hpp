@@ -1,6 +1,6 @@
-// How results are described: each value once, beside the structure of results that holds it.
+// Descriptions of results: each value once, next to the structure of results that holds it.
 // JSON, CSV, files of arrays, text and the numbers that rows of validation point at all come from the record
-// which `describe(record, result)` fills; nothing but the writers of records knows a format.
+// which `describe(record, result)` fills; only the writers of records contain formats.
 //
 //     inline void describe(described::Record& record, const Shaft& shaft) {
 //       using namespace described;
@@ -25,7 +25,7 @@
 namespace orbearing::described {
 
 namespace dimension {
-// Of results alone, or in another unit than inputs have.
+// Dimensions of results only, or with another unit than that of inputs.
 inline constexpr Dimension ratio{"ratio", "1", "1", ""};
 inline constexpr Dimension percent{"ratio", "1", "percent", "", 0.01};
 inline constexpr Dimension small_angle{"angle", "rad", "mrad", "", 1e-3};
@@ -43,7 +43,7 @@ inline constexpr Dimension race_compliance{"compliance", "m/N", "m/N", ""};
 inline constexpr Dimension tooth_stiffness{"stiffness by width", "Pa", "N/(mm.um)", "", 1e9};
 }  // namespace dimension
 
-/// What stands for a value that there is none of. All that is not finite is taken for it.
+/// Marks a missing value. Every value that is not finite counts as missing.
 inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 /// One dimension of an array: its name, and where they have some the names of its elements.
@@ -133,7 +133,7 @@ class Record {
   }
 
   /// Numbers along dimensions: a range, one of ranges, a vector or a matrix. Without a name, the labels of
-  /// its last dimension stand among the other names.
+  /// its last dimension are listed among the other names.
   template <class Values>
   Entry& array(std::string name, const Dimension& dimension, std::string meaning, std::vector<Along> along,
                const Values& values) {
@@ -142,7 +142,7 @@ class Record {
     append(values, 0, numbers);
     return add(std::move(name), dimension, std::move(meaning), std::move(numbers));
   }
-  /// The same of so many that they are for files alone.
+  /// The same for long arrays, which go to files only.
   template <class Values>
   Entry& series(std::string name, const Dimension& dimension, std::string meaning, std::vector<Along> along,
                 const Values& values) {
@@ -165,7 +165,7 @@ class Record {
                  [](Record& row, const auto& item) { describe(row, item); });
   }
 
-  /// What there is none of.
+  /// A missing entry.
   Entry& nothing(std::string name, std::string meaning) {
     return add(std::move(name), {}, std::move(meaning), Nothing{});
   }

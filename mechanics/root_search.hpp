@@ -1,5 +1,6 @@
-// Where do forces vanish that no energy has? The damped Newton search of convex_search.hpp, for stiffnesses
-// that need not be symmetric: forces that follow the motion, such as friction and gyroscopic moments.
+// Root of a system of forces without a potential: the damped Newton search of convex_search.hpp for
+// stiffnesses that need not be symmetric. Examples: forces that follow the motion, such as friction and
+// gyroscopic moments.
 //
 // Its steps, their bound and the rule by which one is shortened are those of the convex search. A stiffness
 // whose forces do not resist the step is replaced by its symmetric part: with that a step always goes along
@@ -32,8 +33,8 @@ Eigen::Vector<double, N> lengths_under_any(const Eigen::Vector<double, N>& force
   return lengths_under<N>(force, 0.5 * (stiffness + stiffness.transpose()));
 }
 
-/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes; `place` and `now` as for
-/// find_balance.
+/// Follows `imbalance_at(position)`, an Imbalance<N>, to where the force vanishes; `position` and `now` as
+/// for find_balance.
 template <int N, class Function>
 SearchReport find_root(Function&& imbalance_at, const SearchLimits& limits,
                        Eigen::Vector<double, N>& position, Imbalance<N>& now) {

@@ -204,7 +204,7 @@ auto saturated(const Number& x) {
   }
 }
 
-/// Of a number with slopes: where one of both is taken, so are its slopes.
+/// Selection between numbers with slopes: value and slopes of the selected one.
 template <class Mask, unsigned a, unsigned b, class Number>
 auto select(const Mask& where, const SparseDual<a, Number>& yes, const SparseDual<b, Number>& no) {
   return combined(

@@ -139,7 +139,7 @@ const std::array<double, kSteps>& nearer_end(const std::string& letter) {
   throw std::logic_error("no class of seats with the letter '" + letter + "'");
 }
 
-// Of those letters in the grades up to 7, before them `singles`.
+// Classes of those letters in the grades up to 7, after `singles`.
 std::vector<std::string> classes(std::vector<std::string> singles, const std::vector<std::string>& letters,
                                  int first_grade) {
   std::vector<std::string> all = std::move(singles);

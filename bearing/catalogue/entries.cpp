@@ -130,7 +130,7 @@ constexpr double kPitchOfRollers = 1.25;              // [-]  of their diameter
 constexpr double kRollerSizes = 0.5e-3;               // [m]
 constexpr int kFewest = 4, kMost = 60;                // balls
 constexpr double kMillimetre = 1e-3;                  // [m]
-constexpr double kOfCage = 2e-3;                      // [m]  of its width beside the needles, at least
+constexpr double kOfCage = 2e-3;                      // [m]  of its width besides the needles, at least
 constexpr double kShorter = 0.2, kRoundedEnds = 0.4;  // [mm]  of a needle
 constexpr double kWholeNumber = 0.01;                 // [-]  ratings are printed with three digits
 

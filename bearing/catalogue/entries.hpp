@@ -1,5 +1,5 @@
-// Bearings as a catalogue prints them: boundary dimensions and basic ratings. What a catalogue does not
-// print, rollers and balls, is inferred.
+// Bearings as a catalogue prints them: boundary dimensions and basic ratings. Data that a catalogue does not
+// print, rollers and balls, are inferred.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ constexpr bool has_rollers(Family family) {
   return family == Family::cylindrical || family == Family::needle_cage;
 }
 
-/// One line of a catalogue. 0 stands for a number that it does not print.
+/// One line of a catalogue. 0: a number that it does not print.
 struct Entry {
   std::vector<std::string> designations;  // "NU 205", "NJ 205" and "NUP 205" share a line
   Family family = Family::cylindrical;
@@ -58,7 +58,7 @@ std::vector<std::string> nearest(const std::vector<std::string>& designations, s
 //   (3)  Z   = pi d_m/(1.25 D_r), to the next whole number            room for the bars of the cage
 //   (4)  L   from C_0 by [ISO76], with Z, D_r, d_m
 //
-// Where the catalogue prints E (outer race) as well, D_r = (E - F)/2 in place of (1).
+// If the catalogue also prints E (outer race): D_r = (E - F)/2 instead of (1).
 //
 // Needles in a cage, on shaft and housing. The catalogue prints F_w, E_w, the width B_c of the cage and C_0:
 //
@@ -73,9 +73,9 @@ std::vector<std::string> nearest(const std::vector<std::string>& designations, s
 //   (6)  Z   the one whose C by [ISO281] is nearest to the printed one
 //
 // The two numbers 0.87 and 1.25 are those of five bearings (docs/bearings.md); nothing else is fitted. C
-// takes no part for rollers, and chooses a whole number alone for balls; so it checks the inference.
+// is not used for rollers, and selects only a whole number for balls; so it checks the inference.
 
-/// What is inside, with how far the printed numbers leave it open.
+/// Internal geometry, with the uncertainty that the printed numbers leave.
 struct Inside {
   int elements = 0;             // [-]  rollers or balls
   double diameter = 0.0;        // [m]

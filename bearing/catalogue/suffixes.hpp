@@ -15,7 +15,7 @@ struct Suffix {
   std::string_view cage{};  // material as cage_material() names it; empty: not a suffix of cages
 };
 
-/// A designation without suffixes, and these in the order in which they stand.
+/// A designation without suffixes, and its suffixes in their order.
 struct SuffixedName {
   std::string base;  // "NU 2207"
   std::vector<const Suffix*> suffixes;

@@ -20,7 +20,7 @@ namespace orbearing::bearing {
 // packs and both with their slopes. A law gives friction: stress over pressure. No header of a library here:
 // files compiled for special instruction sets include it.
 
-/// How the oil between a ball and its race is sheared.
+/// Law of the shear of the oil between a ball and its race.
 enum class ShearLaw {
   coulomb,         // friction coefficient, rounded at rest over a sliding speed
   limiting_shear,  // Newtonian film up to a stress in proportion to the pressure [BairWiner1979]
@@ -86,7 +86,7 @@ struct LimitedEyringShear {
   }
 };
 
-/// Gives `take` the law asked for.
+/// Gives `take` the selected law.
 template <class Take>
 auto with_shear_law(ShearLaw law, const Take& take) {
   if (law == ShearLaw::coulomb) return take(CoulombShear{});
@@ -106,7 +106,7 @@ struct EllipsePoints {
 };
 
 /// `slices` across the direction of rolling (Gauss and Legendre), each of `rows` points along it (Gauss and
-/// Chebyshev); with one row spin turns about the middle line alone. Throws std::invalid_argument for less
+/// Chebyshev); with one row spin turns about the middle line only. Throws std::invalid_argument for less
 /// than one of either, or more than kMost points.
 EllipsePoints ellipse_points(int slices, int rows);
 
@@ -131,7 +131,7 @@ struct Sliding {
   Number spin;               // [rad/s]  about the normal
 };
 
-/// What friction does to the ball; the opposite acts on the race at the same point.
+/// Friction on the ball; the opposite acts on the race at the same point.
 template <class Number>
 struct Traction {
   Number along{}, across{};                     // [N]
@@ -145,7 +145,7 @@ struct TractionSlopes {
   Number by[4][4]{};
 };
 
-/// Gives friction at every point with its place: `take(force, sliding)` in all.
+/// Calls `take(force, sliding)` for the friction at every point and its position.
 template <bool kSlopes, class Law, class Number>
 void add_traction(const Law&, const ShearParameters& shear, const EllipsePoints& points,
                   const LoadedEllipse<Number>& ellipse, const Sliding<Number>& motion,

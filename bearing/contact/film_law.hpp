@@ -1,9 +1,9 @@
 // Central film of an oiled line contact over load and entrainment speed, and the elastic approach of a
 // contact with that film in series: written once, for plain numbers, packs and both with their slopes.
 //
-// A film law says three things: log_central() at a load and a speed, both as logarithms, log_unloaded()
-// without load, and load_integral(), from which the energy and all its slopes follow. What finds the elastic
-// approach needs no more of it. No header of a library here: files compiled for special instruction sets
+// A film law gives three values: log_central() at a load and a speed, both as logarithms, log_unloaded()
+// without load, and load_integral(), from which the energy and all its slopes follow. The search for the
+// elastic approach requires no more. No header of a library here: files compiled for special instruction sets
 // include it.
 #pragma once
 
@@ -25,7 +25,7 @@ struct FilmLaw {
   Number log_factor{};    // [ln(m N^0.13)]  of the central film at 1 m/s and 1 N, were it not capped
   Number log_cap_load{};  // [ln N]          at 1 m/s
 
-  /// Of an oiled contact, a FilmContact, which is not named here: see below.
+  /// Law of an oiled contact, a FilmContact, which is not named here: see below.
   template <class Contact>
   static FilmLaw of(const Contact& contact) {
     using mechanics::logarithm, mechanics::larger;
@@ -59,8 +59,8 @@ struct FilmLaw {
   auto log_unloaded(const LogSpeed& log_speed) const {
     return log_uncapped(kCapLoadSpeed * log_speed + log_cap_load, log_speed);
   }
-  /// What the film stores [J] as the load, `load` [N] > 0, thins it: the integral of the load over -d(central
-  /// film).
+  /// Energy [J] stored by the film as the load, `load` [N] > 0, thins it: the integral of the load over
+  /// -d(central film).
   template <class Load, class LogSpeed>
   auto energy(const Load& load, const LogSpeed& log_speed) const {
     using mechanics::exponential, mechanics::logarithm, mechanics::larger;

@@ -2,7 +2,7 @@
 // numbers, packs and both with their slopes. `Number` is a double for one race, a pair of numbers for both.
 //
 // A law has its constants, of(), which derives them from what the user states, and its force. Parameters
-// stand for motion::RaceContactParameters and Contact for FilmContact, which are not named here: files
+// are motion::RaceContactParameters and Contact for FilmContact, which are not named here: files
 // compiled for special instruction sets include this one, and their headers must not.
 #pragma once
 
@@ -115,7 +115,7 @@ struct MixedFriction {
             film};
   }
 
-  /// Friction [N] of a contact whose film alone, under the whole load, would give `film_friction` [N].
+  /// Friction [N] of a contact in which the film under the whole load would give `film_friction` [N].
   /// Asperities carry their share with boundary friction, the film the rest: both have the sign of the
   /// sliding.
   template <class Oiled, class Force, class Speed>
@@ -136,7 +136,7 @@ struct MixedFriction {
 ///
 /// A is that of rigid cylinders in closed form (docs/reynolds.md), the three numbers of B are fitted to
 /// points that film/reynolds computes; within 4.1 % of all of them, 2.1 % rms. Without pressure-viscosity A
-/// stands alone.
+/// is used without B.
 template <class Number>
 struct ComputedRolling {
   static constexpr double kRigid = 1.4705;
@@ -183,7 +183,7 @@ struct ComputedRolling {
 /// The same by the regression F_R = 4.318 (alpha E' U)^0.658 W^0.0126 R l / alpha of [ZhouHoeprich1991] to
 /// [GoksemHargreaves1978]: between 0.82 and 1.73 of what is computed, from W = 1e-5 on.
 ///
-/// The oil drags each surface back with it. The pressure's resultant gives the balance of forces, after
+/// The oil drags each surface back with it. The pressure's resultant gives the equilibrium of forces, after
 /// [Houpert1987].
 template <class Number>
 struct RollingResistance {
@@ -227,7 +227,7 @@ struct InletHeatingScale {
   }
 };
 
-/// Which laws are asked for.
+/// Selected laws.
 struct FrictionChoice {
   bool limiting_shear = false;  // else Coulomb
   bool roelands = false;        // else Barus, held at the largest exponent
@@ -237,7 +237,7 @@ struct FrictionChoice {
   bool inlet_heating = false;     // shear at the inlet lowers the rolling resistance
 };
 
-/// The constants of all laws: numbers alone, so that those of two races can be put side by side.
+/// The constants of all laws: numbers only, so that those of two races can be put side by side.
 template <class Number>
 struct FrictionNumbers {
   CoulombFriction<Number> coulomb;
@@ -248,7 +248,7 @@ struct FrictionNumbers {
   InletHeatingScale<Number> heating;
 };
 
-/// What acts along the tangent of one race contact.
+/// Tangential forces of one race contact.
 template <class Number>
 struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   using FrictionNumbers<Number>::coulomb, FrictionNumbers<Number>::shear;
@@ -288,7 +288,7 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   bool oiled_friction() const { return limiting_shear || mixed; }
   bool oiled() const { return oiled_friction() || rolling_resistance; }
 
-  /// Gives `take` the friction [N] on the roller, with the slopes that the law asked for has, at `load` [N]
+  /// Gives `take` the friction [N] on the roller, with the slopes of the selected law, at `load` [N]
   /// >= 0, sliding speed `sliding` [m/s] of race less roller and ln of the entrainment speed (used where
   /// oiled()). It never opposes the sliding: force * sliding >= 0.
   template <class Load, class Speed, class LogSpeed, class Take>
@@ -316,7 +316,7 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     return force;
   }
 
-  /// Rolling resistance [N], as RollingResistance::force(), at `load` [N] >= 0; to be asked for where it is.
+  /// Rolling resistance [N], as RollingResistance::force(), at `load` [N] >= 0; only if it is switched on.
   template <class Load, class Speed, class LogSpeed>
   auto inlet(const Load& load, const Speed& signed_speed, const LogSpeed& log_speed) const {
     using namespace mechanics;

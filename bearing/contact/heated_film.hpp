@@ -26,7 +26,7 @@ inline double heated_film_share(double loading, double pressure_over_modulus, do
 struct FilmHeating {
   double loading = 0.0;  // [s^2/m^2]  beta eta/k; 0: isothermal
 
-  /// Parameters stand for motion::RaceContactParameters.
+  /// Parameters are motion::RaceContactParameters.
   template <class Parameters>
   static FilmHeating of(const Parameters& given, const Lubricant& oil) {
     using Heating = decltype(given.film_heating);

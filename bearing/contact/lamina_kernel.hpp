@@ -8,20 +8,20 @@ namespace orbearing::bearing::vectorised {
 inline constexpr int kLaminaPadding = 16;
 inline constexpr double kNoLamina = 1e9;  // [m]  a drop that no approach reaches
 
-/// With d = (approach + place * end displacement - drop) where that is positive, else 0:
+/// With d = (approach + position * end displacement - drop) where that is positive, else 0:
 struct LaminaSums {
   double load = 0.0;         // [m^(10/9)]  sum of d^(10/9)
-  double end_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) place
+  double end_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) position
   double by_approach = 0.0;  // [m^(1/9)]  sum of d^(1/9)
-  double mixed = 0.0;        // [m^(1/9)]  sum of d^(1/9) place
-  double by_end_displacement = 0.0;  // [m^(1/9)]  sum of d^(1/9) place^2
+  double mixed = 0.0;        // [m^(1/9)]  sum of d^(1/9) position
+  double by_end_displacement = 0.0;  // [m^(1/9)]  sum of d^(1/9) position^2
 };
 
-/// Places are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
+/// Positions are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
 struct LaminaKernel {
   LaminaSums (*sums)(const double* position, const double* drop, int count, double approach,
                      double end_displacement);
-  /// Of each lamina: d^(10/9) [m^(10/9)].
+  /// Load of each lamina: d^(10/9) [m^(10/9)].
   void (*loads)(const double* position, const double* drop, int count, double approach,
                 double end_displacement, double* load);
 };

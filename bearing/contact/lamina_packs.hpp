@@ -23,7 +23,7 @@ inline LaminaPack lamina_pack(const double* position, const double* drop, double
   return pack;
 }
 
-// What the sums add of each lamina.
+// Contribution of each lamina to the sums.
 struct LaminaTerms {
   Pack load{}, end_load{}, by_approach{}, mixed{}, by_end_displacement{};
 };

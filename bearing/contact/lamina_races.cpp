@@ -11,9 +11,9 @@ namespace {
 constexpr double kBalance = 1e-14;  // of both end loads, where round-off begins
 constexpr int kMostTiltSteps = 100;
 
-// Within which a roller under some load comes to stand where both contacts balance [s]. A rigid film of a
-// quarter of a micrometre between roller and race resists tilting so that it takes 4 us. A quarter of it and
-// four times as much change lives by at most 0.5 % (bearing/motion/README.md).
+// Time constant with which a roller under some load tilts to the equilibrium of both contacts [s]. A rigid
+// film of a quarter of a micrometre between roller and race resists tilting so that it takes 4 us. A quarter
+// of it and four times as much change lives by at most 0.5 % (bearing/motion/README.md).
 constexpr double kRelaxation = 2e-6;
 constexpr double kTypicalLoad = 10.0;  // [N]
 
@@ -44,7 +44,7 @@ LaminaRaces::LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact ou
       upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)),
       even_(upright_ && flat(inner_) && flat(outer_)) {}
 
-// The elastic energy is convex in the end displacement, so that the moment out of balance falls with it:
+// The elastic energy is convex in the end displacement, so that the unbalanced moment falls with it:
 // Newton's method within a bracket.
 double LaminaRaces::balanced_end_displacement(double inner_approach, double outer_approach,
                                               const Vector2& outward) const {

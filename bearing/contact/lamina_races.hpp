@@ -1,12 +1,12 @@
 // Both contacts of a roller cut into laminae, in motion. The roller's tilt is a variable of its motion: the
-// moment that both contacts leave out of balance turns it against a resistance, as the oil that its ends
-// squeeze out gives it. Its inertia is left out, since its tilting vibration (some 100 kHz) is far above all
-// others, and so is that resistance's worth: within some microseconds the roller stands where both contacts
-// balance.
+// unbalanced moment of both contacts turns it against a resistance, such as that of the oil squeezed out at
+// its ends. Its inertia is left out, since its tilting vibration (some 100 kHz) is far above all others. The
+// value of the resistance has little effect for the same reason: the roller reaches the equilibrium of both
+// contacts within some microseconds.
 //
 // The film of the straight contact turns the approach into the elastic approach in the middle; the laminae
-// take that, so that a straight roller that is not tilted has the loads of the line contact. What a roller
-// does against the change of the races' tilt over its orbit, of the order of the tilt squared, is left out.
+// take that, so that a straight roller that is not tilted has the loads of the line contact. The moment of a
+// roller against the change of the races' tilt over its orbit, of the order of the tilt squared, is left out.
 #pragma once
 
 #include "bearing/contact/lamina_contact.hpp"
@@ -14,12 +14,12 @@
 
 namespace orbearing::bearing::motion {
 
-/// Where both contacts of a roller stand, from which the loads of their laminae follow.
+/// Approaches of both contacts of a roller, which determine the loads of their laminae.
 struct LaminaStand {
   double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
   double outer_approach = 0.0;  // [m]
   double end_displacement =
-      0.0;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+      0.0;  // [m]  displacement of the roller at x = l/2 further outward than in the middle
 };
 
 /// Elastic loads of both contacts of a roller.
@@ -32,15 +32,15 @@ struct LaminaRaceLoads {
 
 class LaminaRaces {
  public:
-  /// `bore_tilt` [rad]: the bore stands further outward at +x along this direction, as in OperatingPoint.
+  /// `bore_tilt` [rad]: the bore is further outward at +x along this direction, as in OperatingPoint.
   LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt);
 
   /// Loads of a roller in direction `outward`.
   LaminaRaceLoads loads(const LaminaStand& stand, const Vector2& outward) const;
   /// Elastic energy [J]; its slopes by the approaches are the loads, that by the end displacement is -excess.
   double energy(const LaminaStand& stand, const Vector2& outward) const;
-  /// The end displacement [m] at which both contacts balance at the elastic approaches [m] in the middle of a
-  /// roller; that of the race it touches where it touches one alone.
+  /// The end displacement [m] of equilibrium of both contacts at the elastic approaches [m] in the middle of
+  /// a roller; with one contact only, that of the race it touches.
   double balanced_end_displacement(double inner_approach, double outer_approach,
                                    const Vector2& outward) const;
   /// Resistance to tilting [N s/m]: rate of the end displacement = excess / resistance.
@@ -53,7 +53,7 @@ class LaminaRaces {
   /// Whether all laminae of a contact carry alike, whatever the loads: nothing tilts and nothing falls away.
   bool even() const { return even_; }
 
-  /// How much further outward the bore stands at x = l/2 for each direction [m].
+  /// Displacement of the bore at x = l/2 further outward than in the middle, for each direction [m].
   const Vector2& bore_end_displacement() const { return bore_end_displacement_; }
   /// Whether no roller ever tilts: the bore is not tilted and the profiles are symmetric.
   bool upright() const { return upright_; }

@@ -16,7 +16,7 @@ struct LandMotion {
   T cage_speed;              // [rad/s]
 };
 
-/// What film and touch-down do to cage and land.
+/// Forces of film and touch-down on cage and land.
 template <class T>
 struct LandForce {
   T x{}, y{};        // [N]    on the cage, opposite on the land
@@ -111,7 +111,7 @@ struct LandLaw {
             now.eccentricity};
   }
 
-  /// [J]  stored by touch-down where the cage stands `offset` [m] off the land's centre.
+  /// [J]  stored by touch-down with the cage `offset` [m] off the land's centre.
   double energy(double offset) const {
     const double depth = offset - largest_eccentricity * clearance;
     return depth > 0.0 ? 0.5 * stiffness * depth * depth : 0.0;
@@ -167,7 +167,7 @@ struct LandLaw {
     result.shear = shear_scale * (land_speed - motion.cage_speed) * inverse_root(1.0 - held * held);
   }
 
-  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds alone. Its power may have either sign,
+  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds only. Its power may have either sign,
   // and it depends on the frame in which the rotations are counted: here the carrier's.
   template <class T>
   void published_film(const T& rotation_sum, const T& held, T& force_along, T& force_across) const {

@@ -10,7 +10,7 @@ namespace orbearing::bearing {
 /// across it.
 inline constexpr double kLeastApproach = 1e-12;  // [-]
 
-/// `approach` [m], or none where it is that little beside `lengths` [m].
+/// `approach` [m], or none if it is that small compared with `lengths` [m].
 constexpr double without_round_off(double approach, double lengths) {
   const double size = approach < 0.0 ? -approach : approach;
   return size <= kLeastApproach * lengths ? 0.0 : approach;

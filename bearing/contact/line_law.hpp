@@ -1,4 +1,4 @@
-// Elastic line contact, Q = K e^(10/9): the law's exponent, in one place for plain numbers and packs.
+// Elastic line contact, Q = K e^(10/9): the law's exponent, once for plain numbers and packs.
 #pragma once
 
 namespace orbearing::bearing {

@@ -2,7 +2,7 @@
 // slopes.
 //
 //        a (ahead, sense of rotation)  The pocket's middle line runs from the cage's centre along e. The
-//        ^       |bar|                 roller stands off it by `offset` along a and touches a bar where
+//        ^       |bar|                 roller is off it by `offset` along a and touches a bar where
 //   o----|---|---|---> e               |offset| exceeds half the clearance.
 //  cage      |bar|
 //
@@ -29,7 +29,7 @@ template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class S
 PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
     -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
 
-/// What a bar does to the roller; the opposite acts on the cage at its own arm.
+/// Force of a bar on the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
   Ahead ahead;                 // [N]    on the roller, along a
@@ -44,7 +44,7 @@ template <class Ahead, class Along, class RollerMoment, class CageMoment, class 
 PocketTouch(Ahead, Along, RollerMoment, CageMoment, Power, Sliding)
     -> PocketTouch<Ahead, Along, RollerMoment, CageMoment, Power, Sliding>;
 
-/// What the oil before both bars does to the roller; the opposite acts on the cage at its own arm.
+/// Force of the oil at both bars on the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power>
 struct PocketOil {
   Ahead ahead;                 // [N]    on the roller, along a
@@ -68,8 +68,8 @@ struct PocketLaw {
 
   bool with_film() const { return viscous > 0.0; }
 
-  /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller whose radius is larger
-  /// than stated by `deviation` [m]; negative where they do not touch.
+  /// Compression [m] of the bar ahead (`bar` = 1) or behind (-1) by a roller whose radius is larger than
+  /// stated by `deviation` [m]; negative without contact.
   template <class Bar, class Offset, class Deviation>
   auto depth(const Bar& bar, const Offset& offset, const Deviation& deviation) const {
     return offset * bar - (half_clearance - deviation);

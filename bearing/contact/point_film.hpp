@@ -7,7 +7,7 @@
 
 namespace orbearing::bearing {
 
-/// What the film of an ellipse of contact depends on but for load and speed.
+/// Data of an oiled elliptical contact that determine its film, besides load and speed.
 struct OiledPoint {
   double viscosity = 0.0;           // [Pa s]  at the inlet
   double pressure_viscosity = 0.0;  // [1/Pa]
@@ -27,7 +27,7 @@ struct PointFilmLaw {
   static PointFilmLaw central(const OiledPoint& contact) {
     return of(contact, 2.69, 0.67, 0.53, 0.067, 0.61, 0.73);
   }
-  /// Where it is least, at the sides.
+  /// Least film, at the sides.
   static PointFilmLaw least(const OiledPoint& contact) {
     return of(contact, 3.63, 0.68, 0.49, 0.073, 1.0, 0.68);
   }

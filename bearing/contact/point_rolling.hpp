@@ -16,7 +16,7 @@ namespace orbearing::bearing {
 struct PointRolling {
   double speed = 0.66;       // [-]  m
   double load = 0.47;        // [-]  n
-  double blend = 0.0;        // [-]  s; 0: one power law alone
+  double blend = 0.0;        // [-]  s; 0: a single power law
   double log_ratio = 0.0;    // [-]  ln (A/B)^s at 1 m/s and 1 N
   double ratio_speed = 0.0;  // [-]
   double ratio_load = 0.0;   // [-]

@@ -12,7 +12,7 @@ namespace orbearing::bearing {
 
 // Oil film of a line contact: Dowson-Higginson, capped where the rigid-isoviscous film takes over.
 
-/// What the film of one contact depends on besides load and speed.
+/// Data of one contact that determine its film, besides load and speed.
 struct FilmContact {
   double equivalent_radius = 0.0;  // [m]
   double length = 0.0;             // [m]
@@ -111,8 +111,8 @@ RollerContacts rolling_contacts(const Bearing& bearing, const BearingGeometry& g
 // The film as [Gai2025] prints it in the approach: subtracted, so that it opens the contact like a clearance.
 //
 // With the film h(Q) of Eq. (10), elastic approach = geometric approach - h has two loads for every approach
-// beyond a least one and none below it, since e + h(e) first falls and then rises; which of them the source
-// took is not said. What can be reproduced is the film of one load: here that of the most loaded roller
+// beyond a least one and none below it, since e + h(e) first falls and then rises. The source does not state
+// which of them it took. Only the film of one load can be reproduced: here that of the most loaded roller
 // without clearance, 4.08 F/Z, at pure rolling, for all rollers alike.
 
 /// Film on each race [m].

@@ -1,4 +1,4 @@
-// Races that are not round: how far a race stands out at one place, and how steeply.
+// Races that are not round: height of the form at one position, and its slope.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace orbearing::bearing {
 
-/// Form of a race at one place.
+/// Form of a race at one position.
 struct FormAt {
   double height = 0.0;         // [m]      by which the radius is larger
   double slope = 0.0;          // [m/rad]  d(height)/d(angle)

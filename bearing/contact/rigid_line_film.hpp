@@ -12,8 +12,8 @@
 //
 //   load = 2 eta l S^2 (u + k psi),   integral of eta l / h over the pressurised film = eta l S psi.
 //
-// Entrainment alone is the contact of [Martin1916], whose other outlet condition gives 4.896 in place of 4;
-// squeeze alone carries 3 sqrt(2) pi eta V l (R/g)^(3/2), as in [Hamrock2004], twice what it adds where
+// Entrainment alone is the contact of [Martin1916], whose other outlet condition gives 4.896 instead of 4;
+// squeeze alone carries 3 sqrt(2) pi eta V l (R/g)^(3/2), as in [Hamrock2004], twice its contribution if
 // rolling takes the oil away behind it.
 #pragma once
 
@@ -21,14 +21,14 @@
 
 namespace orbearing::bearing {
 
-/// What the film of a line contact gives.
+/// Forces of the film of a line contact.
 template <class Load, class Shear>
 struct LineFilm {
   Load load;    // [N]      pushes the surfaces apart, >= 0 but for round-off
   Shear shear;  // [N s/m]  resistance to sliding; to entrainment it is twice this on each surface
 };
 
-/// Film of a cylinder on a plane; numbers alone, so that those of two contacts can be put side by side. The
+/// Film of a cylinder on a plane; numbers only, so that those of two contacts can be put side by side. The
 /// gap enters as `s` = slenderness(gap).
 template <class Number>
 struct RigidLineFilm {
@@ -45,13 +45,13 @@ struct RigidLineFilm {
     using mechanics::inverse_root;
     return root_diameter * inverse_root(gap);
   }
-  /// Load [N] of the wedge alone, at entrainment `u` [m/s] > 0.
+  /// Load [N] of the wedge only, at entrainment `u` [m/s] > 0.
   template <class Slenderness, class Speed>
   auto wedge(const Slenderness& s, const Speed& u) const {
     return viscous * (s * s) * u;
   }
-  /// What the closing speed `v` [m/s] adds to it [N], with the sign of `v`: where surfaces part, less than
-  /// what the wedge carries.
+  /// Load [N] that the closing speed `v` [m/s] adds, with the sign of `v`: if the surfaces separate, less
+  /// than the load of the wedge.
   template <class Slenderness, class Speed, class Closing>
   auto squeeze(const Slenderness& s, const Speed& u, const Closing& v) const {
     using mechanics::angle_of;

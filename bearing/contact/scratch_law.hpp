@@ -1,5 +1,5 @@
-// How far a rolling element sinks on a scratch. Written once for plain numbers and packs; no header of a
-// library here, since files compiled for special instruction sets include it.
+// Depth of a rolling element on a scratch. Written once for plain numbers and packs; no header of a library
+// here, since files compiled for special instruction sets include it.
 //
 //        ------.          .------   race
 //               \__o  o__/          o: the element rests on both edges, or on the bottom
@@ -10,7 +10,7 @@
 
 namespace orbearing::bearing {
 
-/// How far an element sinks between the edges of a scratch, over where it stands: s from the middle, width w.
+/// Depth of an element between the edges of a scratch, over its position: s from the middle, width w.
 enum class ScratchForm {
   raised_cosine,       // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
   half_cosine,         // depth cos(pi s/w): steep edges
@@ -27,7 +27,7 @@ struct DefectDepth {
   Number bend{};   // [1/m]  slope of the slope
 };
 
-/// Sinking at even places from one edge to the other; between them cubics that share value and slope.
+/// Depths at equal distances from one edge to the other; between them cubics that share value and slope.
 struct DefectDepthTable {
   static constexpr int kPoints = 65;
 
@@ -43,7 +43,7 @@ struct ScratchLaw {
   DefectDepthTable table;  // of a profile: what an element sinks, whatever `bottom` and `deepest` say
 };
 
-/// Of depth 1 and width 1, at `s` widths from the middle.
+/// Depth of a scratch of depth 1 and width 1, at `s` widths from the middle.
 template <class Number>
 DefectDepth<Number> unit_depth(ScratchForm form, const Number& s) {
   using namespace mechanics;
@@ -114,7 +114,7 @@ struct TrackDepth {
 };
 
 /// On a track of radius `radius` [m] whose scratch lies at the angle of which `ahead` and `towards` are sine and
-/// cosine from the element's; the sine stands for the angle. Zero off the scratch.
+/// cosine from the element's; the sine approximates the angle. Zero off the scratch.
 template <class Number>
 TrackDepth<Number> track_depth(const ScratchLaw& law, double radius, const Number& ahead,
                                const Number& towards) {
@@ -148,8 +148,8 @@ struct RollerScratch {
   ScratchLaw on_outer;
 };
 
-/// What lies on a contact whose normal stands at the angle with `cosine` and `sine`: a scratch at the angle
-/// `scratch` [rad].
+/// Depth of a scratch at the angle `scratch` [rad], in a contact whose normal is at the angle with `cosine`
+/// and `sine`.
 template <class Number>
 TrackDepth<Number> depth_at(const ScratchLaw& law, double radius, double scratch, const Number& cosine,
                             const Number& sine) {

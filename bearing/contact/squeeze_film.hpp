@@ -1,13 +1,13 @@
-// The oil that roller and race press out as they come closer: the rate of the film that FilmLaw states.
+// Squeeze film between roller and race that approach each other: the rate of the film of FilmLaw.
 //
-// A contact is its film in series with what yields elastically; both carry one load. Of the closing speed V
-// of the bodies the film takes the share
+// A contact is its film in series with its elastic deflection; both carry one load. The film has the
+// following share of the closing speed V of the bodies:
 //
 //     (1)  s = c_f / (c_f + c_e),   c_e = 9/10 e/Q,   c_f = n h/Q,   n = (W + m Q)/(W + Q)
 //
 // with e the elastic approach and Q its load, h the film, W = 4 eta u l R/h the load that a wedge of rigid
 // bodies would carry at that film: oil between rigid bodies thins as 1/Q (n = 1), between elastic ones as
-// Q^-m (n = m, FilmLaw). Where the bodies do not touch, h is what is left between them, and s = 1. The film
+// Q^-m (n = m, FilmLaw). Without contact of the bodies, h is the gap between them, and s = 1. The film
 // so closes at s V, and its resistance is that of RigidLineFilm; on the bodies it acts by the same share:
 //
 //     (2)  Q_s = s (rigid film(h, u, s V) - rigid film(h, u, 0)),   lost: Q_s V >= 0
@@ -51,7 +51,7 @@ struct RigidPointLoad {
   Number shear;         // [N s/m]  of both surfaces against sliding
 };
 
-/// What closing adds to the load of the wedge, with slopes.
+/// Contribution of closing to the load of the wedge, with slopes.
 template <class Number>
 struct SqueezedPoint {
   Number load;        // [N]      with the sign of the closing speed
@@ -72,7 +72,7 @@ struct RigidPointFilm {
 
   bool present() const { return size > 0.0; }
 
-  /// Of radii `rx`, `ry` [m] that reaches as far as `wide_x`, `wide_y` [m] from its middle.
+  /// Film between bodies of radii `rx`, `ry` [m] that extends to `wide_x`, `wide_y` [m] from its middle.
   static RigidPointFilm between(double viscosity, double rx, double ry, double wide_x, double wide_y,
                                 double least_gap) {
     constexpr double kPi = 3.14159265358979323846;
@@ -92,13 +92,13 @@ struct RigidPointFilm {
             .least_gap = least_gap};
   }
 
-  /// Load [N] of the wedge alone at `gap` [m], entrained along x with `ux` [m/s].
+  /// Load [N] of the wedge only at `gap` [m], entrained along x with `ux` [m/s].
   template <class Number>
   Number wedge(const Number& gap, const Number& ux) const {
     using namespace mechanics;
     return (size * entrained_x) * absolute(ux) * inverse_root(gap);
   }
-  /// What closing at `closing` [m/s] adds to it: where surfaces part, less than what the wedge carries.
+  /// Contribution of closing at `closing` [m/s]: if the surfaces separate, less than the load of the wedge.
   template <class Number>
   SqueezedPoint<Number> squeezed(const Number& gap, const Number& closing, const Number& ux) const {
     using namespace mechanics;
@@ -150,7 +150,7 @@ auto film_share(const Wedge& wedge, const Load& load, const Gap& gap, const Elas
   return film_gives / (film_gives + bodies_give);
 }
 
-/// Squeeze of the film between roller and race. Numbers alone, see RigidLineFilm.
+/// Squeeze of the film between roller and race. Numbers only, see RigidLineFilm.
 template <class Number>
 struct SqueezeFilm {
   RigidLineFilm<Number> film;
@@ -165,7 +165,7 @@ struct SqueezeFilm {
 
   /// Least distance of the surfaces [m], where they touch the central film of `law`, at the geometric
   /// `approach` [m], elastic approach `elastic` [m] (negative where they are apart) and its load [N].
-  /// `in_approach`: the film takes room, which is what tells both approaches apart; else it is there all the
+  /// `in_approach`: the film takes room, which is the difference of both approaches; else it is there all the
   /// same.
   template <class Law, class Approach, class Elastic, class Load, class LogSpeed>
   auto gap(bool in_approach, const Law& law, const Approach& approach, const Elastic& elastic,
@@ -203,7 +203,7 @@ struct SqueezeFilm {
   }
 };
 
-/// What (2) gives in a contact of a ball, with its slopes. Those of film and share under load are left out.
+/// Load (2) in a contact of a ball, with its slopes. Those of film and share under load are left out.
 template <class Number>
 struct BallSqueeze {
   Number load;         // [N]      with the sign of the closing speed

@@ -37,11 +37,11 @@ double greatest_depth(double width, Race race, const BearingGeometry& geometry) 
 DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Race race,
                              const BearingGeometry& geometry) {
   constexpr int kFine = 20,
-                kLast = DefectDepthTable::kPoints - 1;  // places looked at for each one that is kept
+                kLast = DefectDepthTable::kPoints - 1;  // positions evaluated for each one that is kept
   const double of_race = race == Race::inner ? 1.0 / geometry.inner_radius : -1.0 / geometry.outer_radius;
   const double curvature = 1.0 / geometry.element_radius + of_race;  // [1/m]
   const auto last = static_cast<double>(depths.size() - 1);
-  const auto depth_at = [&](double share) {  // straight from one measured place to the next
+  const auto depth_at = [&](double share) {  // straight from one measured point to the next
     const auto i = std::min(static_cast<std::size_t>(share * last), depths.size() - 2);
     const auto at = [&](std::size_t k) { return k == 0 || k + 1 == depths.size() ? 0.0 : depths[k]; };
     return at(i) + (share * last - static_cast<double>(i)) * (at(i + 1) - at(i));

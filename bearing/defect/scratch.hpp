@@ -23,7 +23,7 @@ constexpr described::Names<ScratchForm, 5> names_of(ScratchForm) {
 
 namespace orbearing::bearing::defect {
 
-/// What is scratched.
+/// The scratched body.
 enum class Scratched { none, outer, inner, ball, roller };
 
 constexpr described::Names<Scratched, 5> names_of(Scratched) {
@@ -100,7 +100,7 @@ void describe(Visitor& visit, Scratch& m) {
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
 double greatest_depth(double width, Race race, const BearingGeometry& geometry);
 
-/// Of the middles of all of them [rad].
+/// Angles of the middles of all scratches [rad].
 std::vector<double> angles_of(const Scratch& scratch);
 
 /// Throws std::invalid_argument where they have no width or no depth.
@@ -111,14 +111,14 @@ inline bool of_element(Scratched scratched) {
   return scratched == Scratched::ball || scratched == Scratched::roller;
 }
 
-/// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as
-/// its own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are
-/// those of the edges and count as zero.
+/// Depth of an element on a scratch whose depths were measured at equal distances from edge to edge: as deep
+/// as its own arc, relative to that of `race`, allows without cutting any measured point. The first and the
+/// last depth are those of the edges and count as zero.
 DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Race race,
                              const BearingGeometry& geometry);
 
-/// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument
-/// for a measured one of less than three depths, or of one below zero.
+/// Law of an element that meets `race` of a bearing of this geometry on the scratch. Throws
+/// std::invalid_argument for a measured scratch of less than three depths, or with one below zero.
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry);
 
 }  // namespace orbearing::bearing::defect

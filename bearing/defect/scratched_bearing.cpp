@@ -71,7 +71,7 @@ struct LawOf {
   }
 };
 
-// Goes on below zero as a smooth step across the opening asks for it.
+// Continues below zero, as required for a smooth step across the opening.
 double elastic(double constant, double exponent, double approach) {
   return std::copysign(constant * std::pow(std::abs(approach), exponent), approach);
 }
@@ -239,7 +239,7 @@ StaticPosition ScratchedMotion::find_static_position() const {
   return found;
 }
 
-// Of all loaded contacts together the wanted share of 2 sqrt(k m) along the load.
+// Damping of all loaded contacts together: the stated share of 2 sqrt(k m) along the load.
 void ScratchedMotion::set_damping() {
   const double wanted = 2.0 * in_.ring.damping_ratio * std::sqrt(static_.stiffness * in_.ring.mass);
   const bool viscous = in_.ring.damping_law == DampingLaw::viscous;

@@ -34,9 +34,9 @@ namespace orbearing::bearing::defect {
 struct PassingFrequencies {
   double shaft = 0.0;         // [Hz]  of the inner ring against the outer one
   double cage = 0.0;          // [Hz]
-  double outer_pass = 0.0;    // [Hz]  elements over a place of the outer race
-  double inner_pass = 0.0;    // [Hz]  elements over a place of the inner race
-  double element_pass = 0.0;  // [Hz]  a place of an element over either race: twice its spin in the cage
+  double outer_pass = 0.0;    // [Hz]  elements over a point of the outer race
+  double inner_pass = 0.0;    // [Hz]  elements over a point of the inner race
+  double element_pass = 0.0;  // [Hz]  a point of an element over either race: twice its spin in the cage
 };
 
 /// By their names in condition monitoring: FTF, BPFO, BPFI and BSF.
@@ -47,7 +47,7 @@ void describe(described::Record& record, const PassingFrequencies& frequencies);
 /// its races under an angle is across the line of its contacts: eq. (6).
 double rolling_speed(const Bearing& bearing, double inner_speed, double outer_speed);
 
-/// At `shaft_speed` [rad/s] of the inner ring; the outer one stands.
+/// At `shaft_speed` [rad/s] of the inner ring; the outer one is stationary.
 PassingFrequencies passing_frequencies(const Bearing& bearing, double shaft_speed);
 /// At the speeds [rad/s] of both rings, as a planet's bearing has them relative to the carrier: 0 of the pin
 /// and that of the planet. The cage's is relative to the same frame.
@@ -66,7 +66,7 @@ constexpr described::Names<DampingLaw, 2> names_of(DampingLaw) {
 /// The ring that vibrates.
 struct VibratingRing {
   double mass = 0.0;            // [kg]
-  double damping_ratio = 0.05;  // [-]  of critical, of the vibration along the load about its static balance
+  double damping_ratio = 0.05;  // [-]  of critical, of vibration along the load about its equilibrium
   DampingLaw damping_law = DampingLaw::viscous;
 };
 
@@ -93,7 +93,7 @@ void describe(Visitor& visit, VibratingRing& m) {
 /// [N]
 double weight_of(const VibratingRing& ring);
 
-/// How the shaft comes to its speed: evenly, from a share of it.
+/// Run-up of the shaft: at a constant rate, from a share of its speed.
 struct RunUp {
   double from = 1.0;  // [-]
   double time = 0.0;  // [s]  that it takes; 0: a steady speed
@@ -108,7 +108,7 @@ struct RunUp {
   }
 };
 
-/// What does not change in time. Scratches are of one kind.
+/// Parameters that are constant in time. Scratches are of one kind.
 struct ScratchedBearing {
   Bearing bearing;
   VibratingRing ring;
@@ -118,7 +118,7 @@ struct ScratchedBearing {
   RunUp run_up;
 };
 
-/// Where the ring rests, and how it would vibrate there.
+/// Static equilibrium of the ring, and its natural frequency there.
 struct StaticPosition {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]  u, v
   Eigen::ArrayXd load;                              // [N]  (elements)
@@ -127,14 +127,14 @@ struct StaticPosition {
   mechanics::SearchReport report;
 };
 
-/// The equations of motion in a given form: which contacts carry, and which elements are on which scratch,
-/// holds for as long as the caller says, so that the equations are smooth within a step.
+/// The equations of motion in a given form: the sets of loaded contacts and of elements on scratches are
+/// constant until the caller changes them, so that the equations are smooth within a step.
 class ScratchedMotion {
  public:
   using State = Eigen::Vector4d;  // u, v [m], u', v' [m/s]
   using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 
-  /// Throws std::invalid_argument for a bearing that cannot be, and where no static balance is found.
+  /// Throws std::invalid_argument for impossible parameters, and where no static equilibrium is found.
   explicit ScratchedMotion(const ScratchedBearing& parameters);
 
   const StaticPosition& static_position() const { return static_; }
@@ -148,7 +148,7 @@ class ScratchedMotion {
 
   void rates(double time, const ConstState& x, Eigen::Ref<Eigen::VectorXd> dx) const;
 
-  /// Of one element, in the form that now holds.
+  /// Contact of one element, in the form that now holds.
   struct Contact {
     double angle = 0.0;           // [rad]
     double approach = 0.0;        // [m]

@@ -58,7 +58,7 @@ Fit least_squares(const FrequencyFit& problem, const Vector& start, const Vector
       slopes.col(k) = (problem.residuals(above) - problem.residuals(below)) / (2.0 * step);
     }
     Vector downhill = -slopes.transpose() * residuals;
-    // What would leave its bound stays there.
+    // A parameter at its bound stays there if it would cross it.
     for (Eigen::Index k = 0; k < fit.at.size(); ++k)
       if (fit.at[k] <= least[k] && downhill[k] < 0.0) {
         downhill[k] = 0.0;

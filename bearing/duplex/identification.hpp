@@ -1,8 +1,9 @@
 // Constants of a shaft from natural frequencies that were measured on pairs of one kind.
 //
-// One case cannot tell a lever from an inertia: the tilt frequencies hold arm^2/inertia alone. So the shaft
-// is a solid cylinder of known diameter, whose inertia follows from its mass: mass by radial and axial
-// frequencies, lever by those of tilt. Residuals are logarithms of frequency ratios, all of equal weight.
+// A single case does not separate lever and inertia: the tilt frequencies depend on arm^2/inertia only. So
+// the shaft is a solid cylinder of known diameter, whose inertia follows from its mass: mass by radial and
+// axial frequencies, lever by those of tilt. Residuals are logarithms of frequency ratios, all of equal
+// weight.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@
 
 namespace orbearing::bearing::duplex {
 
-/// What was measured on one preloaded pair.
+/// Measurement of one preloaded pair.
 struct Observation {
   std::array<double, 5> frequency{};                     // [Hz]  in the order of mode_kinds
   std::function<Stiffness(const RowLevers&)> stiffness;  // of that pair, by its levers

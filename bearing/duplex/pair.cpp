@@ -47,15 +47,15 @@ std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium
 
 namespace {
 
-// What holds the rows together: their approach, or a load.
+// Preload of the rows: their approach, or a load.
 struct Pressed {
   Pair pair;
   RingLoad load;
   RingPosition start = RingPosition::Zero();
 };
 
-// Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force at rest where
-// the shaft has moved by the approach.
+// The rows of a tandem are preloaded by an axial load of the shaft; it is found from the rows' own force at
+// rest with the shaft displaced by the approach.
 Pressed pressed(const Pair& pair, const RingLoad& load) {
   Pressed found{pair, load};
   if (pair.arrangement == Arrangement::tandem) {
@@ -104,7 +104,7 @@ PressedRow pressed_row(const Bearing& bearing, double approach) {
           .ball_angle = equilibrium::element_angles(bearing)};
 }
 
-// Eqs. (7) to (10) and (14): each ball resists along its line of contact alone.
+// Eqs. (7) to (10) and (14): each ball resists along its line of contact only.
 Stiffness linear_stiffness(const PressedRow& row, const RowLevers& levers) {
   const double cosine = std::cos(row.angle), sine = std::sin(row.angle);
   Stiffness sum = Stiffness::Zero();

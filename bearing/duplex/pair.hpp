@@ -4,8 +4,8 @@
 //          |<-- first lever --->|<-- second lever -->|     first row; x and y across
 //     -----+--------------------o--------------------+---> -z
 //
-// The outer rings stand. Both rows are those of bearing/equilibrium/row_group.hpp, Eq. (1), without a motion
-// of the balls where nothing else is said.
+// The outer rings are fixed. Both rows are those of bearing/equilibrium/row_group.hpp, Eq. (1), without a
+// motion of the balls where nothing else is said.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace orbearing::bearing::duplex {
 
 using Stiffness = Eigen::Matrix<double, 5, 5>;  // [N/m], [N/rad], [N m/m], [N m/rad]
 
-/// How both bearings stand to each other.
+/// Arrangement of both bearings.
 enum class Arrangement {
   face_to_face,  // lines of contact meet the axis between the rows
   back_to_back,  // beyond them
@@ -38,7 +38,7 @@ struct RowLevers {
   double second = 0.0;
 };
 
-/// What a pair is; `bearing` is either of both.
+/// A pair of equal bearings; `bearing` is one of them.
 struct Pair {
   Bearing bearing;
   Arrangement arrangement = Arrangement::face_to_face;
@@ -48,25 +48,26 @@ struct Pair {
 };
 
 /// Axial displacement [m] of one row's inner ring under the axial load `preload` [N]. Throws
-/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error where no balance is
-/// found.
+/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error if no static equilibrium
+/// is found.
 double approach_under(const Bearing& bearing, double preload);
 
 /// Both rows on the shaft.
 std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium::RowMotion& motion = {});
 
-/// A pair in balance.
+/// A pair in static equilibrium.
 struct PairState {
   equilibrium::RingState ring;  // of the shaft against the outer rings; balls of the first row come first
-  std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, where the shaft balances
+  std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, at the equilibrium of the shaft
 };
 
-/// Where the shaft balances under `load` beside the preload. Of a tandem the preload is a load of twice its
+/// Equilibrium of the shaft under `load` and the preload. In a tandem the preload is a load of twice its
 /// approach_under along the shaft, which this function adds. Throws as RowGroup does.
 PairState balance_pair(const Pair& pair, const equilibrium::RingLoad& load = {});
 
-/// The same with the shaft turning: balls are thrown outward and held against their gyroscopic moments. Rows
-/// that face each other keep the approach with which they were mounted, those of a tandem their load.
+/// The same with a rotating shaft: balls have a centrifugal load and are held against their gyroscopic
+/// moments. Rows that face each other keep the approach with which they were mounted, those of a tandem their
+/// load.
 equilibrium::RingState balance_pair_at_speed(const Pair& pair, const equilibrium::RowMotion& motion,
                                              const equilibrium::RingLoad& load = {});
 
@@ -78,7 +79,7 @@ Stiffness pair_stiffness(const std::vector<Stiffness>& rows, Arrangement arrange
 // that the preload makes. Literature variant: the axial approach has one sign in both rows, as the source
 // prints it; two rows that face each other have opposite ones. It leaves out the geometric stiffness too.
 
-/// How one row is pressed, the same at each ball.
+/// Preload of one row, the same at each ball.
 struct PressedRow {
   double angle = 0.0;             // [rad]  contact angle under preload
   double normal_stiffness = 0.0;  // [N/m]  1.5 k delta^0.5 of one ball, Eq. (12)

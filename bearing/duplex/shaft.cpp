@@ -51,7 +51,7 @@ Eigen::Index freedom_of(ModeKind kind, TiltPlanes planes) {
   return 0;
 }
 
-// What couples freedoms by round-off alone would mix modes of equal frequency at will.
+// Coupling of freedoms by round-off would mix modes of equal frequency at random.
 Stiffness without_round_off(const Stiffness& scaled) {
   constexpr double nothing = 1e-10;
   Stiffness clean = 0.5 * (scaled + scaled.transpose());
@@ -81,7 +81,7 @@ struct Eigenpair {
   Freedoms vector = Freedoms::Zero();
 };
 
-// Each group of coupled freedoms by itself.
+// Each group of coupled freedoms separately.
 std::vector<Eigenpair> eigenpairs(const Stiffness& matrix) {
   std::vector<Eigenpair> pairs;
   std::array<bool, kFreedoms> taken{};

@@ -47,7 +47,7 @@ const char* name_of(ModeKind kind);
 /// Which tilt moves the shaft in the plane of x and z.
 enum class TiltPlanes {
   physical,  // that about y
-  // That about x: the calculated column of [FangDuplex] pairs the inertia about x with motion in x.
+  // About x: the calculated column of [FangDuplex] pairs the inertia about x with motion in x.
   literature_variant,
 };
 
@@ -82,7 +82,7 @@ inline void describe(described::Record& record, const PairMode& mode) {
 PairModes modes_of(const Stiffness& stiffness, const Shaft& shaft, const std::optional<Housing>& housing = {},
                    TiltPlanes planes = TiltPlanes::physical);
 
-/// Where the frequency response is taken.
+/// Point of the frequency response.
 struct ResponsePoint {
   double position = 0.0;     // [m]  along z from the mass centre, for directions x and y
   double loss_factor = 0.0;  // [-]  eta of the structural damping: stiffness (1 + i eta)

@@ -4,7 +4,7 @@
 // In the lengths of AlignedConstants a squeezed roller with inertial load I and e = |I| has
 //   Q(y) - Q(x) = e,   x + y = A = -half clearance - u . e_r,   Q(x) = sum over laminae share (x -
 //   drop)_+^(10/9)
-// with x on the race that carries the squeeze alone. Eliminating x roller by roller leaves two equations for
+// with x on the race that carries only the squeeze. Eliminating x roller by roller leaves two equations for
 // u.
 //
 // Lanes do not meet, and nothing depends on how many of them there are: without fused operations all
@@ -26,7 +26,7 @@ using namespace mechanics::ORBEARING_PACKS;
 struct RollerUnknown {
   Pack e_x, e_y;  // [-]  direction
   Pack inertial;  // [N]
-  Pack x;         // [N^0.9]  approach of the race that carries the squeeze alone
+  Pack x;         // [N^0.9]  approach of the race that carries only the squeeze
   Pack step;      // [N^0.9]  its correction at the present displacement of the rings
   Pack slope;     // [-]      d(x)/d(A)
   Pack squeeze;   // [N]      load of that race
@@ -79,7 +79,7 @@ inline FacingRollers facing(const AlignedArray<RollerUnknown>& rollers, int coun
   return found;
 }
 
-/// Where a small force along the facing rollers' bisector holds the ring: both gaps are closed.
+/// Position in which a small force along the facing rollers' bisector holds the ring: both gaps are closed.
 inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) {
   Pack gap[2];
   for (int i = 0; i < 2; ++i)
@@ -123,11 +123,11 @@ inline PlaneVector starting_displacement(const AlignedArray<RollerUnknown>& roll
   return {only(size > 0.0, closed.x + approach * d.x), only(size > 0.0, closed.y + approach * d.y)};
 }
 
-/// Force on the outer ring out of balance, and its stiffness.
+/// Unbalanced force on the outer ring, and its stiffness.
 struct RingBalance {
   PlaneVector force;            // [N]
   Pack k_xx{}, k_xy{}, k_yy{};  // [N^0.1]
-  Pack error{};                 // [N]  of the force, as the rollers are not yet in balance
+  Pack error{};                 // [N]  of the force, as the rollers are not yet in equilibrium
 };
 
 /// Loads [N] of both contacts of a roller, and their slopes over 10/9 [N^0.1].
@@ -156,7 +156,7 @@ class AlignedContacts {
     return {p.load, q.load, p.root, q.root};
   }
 
-  /// Loads of all laminae at the balance.
+  /// Loads of all laminae at the equilibrium.
   void put(const AlignedArray<RollerUnknown>& rollers, int count, const PlaneVector& u, double half_clearance,
            int first, const AlignedOutput& output) const {
     if (output.lamina_loads == nullptr) return;
@@ -166,7 +166,7 @@ class AlignedContacts {
       const Mask squeezed = roller.squeeze > 0.0;
       const Pack x = only(squeezed, roller.x + roller.step);
       const Pack y = select(squeezed, approach - x, approach_under(absolute(roller.inertial), squeezed));
-      const Mask inner_alone = roller.inertial > 0.0;  // carries the squeeze alone
+      const Mask inner_alone = roller.inertial > 0.0;  // carries only the squeeze
       put_laminae(select(inner_alone, x, y), output.lamina_loads + j * kBlock + first, count);
       put_laminae(select(inner_alone, y, x), output.lamina_loads + (c_.laminae * count + j) * kBlock + first,
                   count);
@@ -368,8 +368,8 @@ inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
 }
 
 // The forces are the slope of a convex energy: a step after which the force along it points back by more than
-// 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
-// iteration waits with the rings until the rollers are nearly in balance.
+// 0.7 of its previous value was too long, and is halved. This criterion requires known forces; a patient
+// iteration waits with the rings until the rollers are nearly in equilibrium.
 inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
   const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
   const Mask waiting = patient ? ~known : Mask{};

@@ -16,7 +16,7 @@ namespace {
 
 using constants::two_pi;
 
-// Of the same lamina at the other end: profiles are computed from both sides.
+// Difference of equal laminae at both ends: profiles are computed from both sides.
 constexpr double kSameDrop = 1e-12;
 
 double same_drop(const std::vector<double>& drops) {
@@ -219,8 +219,8 @@ std::optional<QuasiStaticResult> AlignedPitch::under(const laminae::LaminaBearin
   return result;
 }
 
-// One by one each search starts where `near` stood at that cage angle, displaced along its tangent by what
-// the load has changed; else from the cage angle before.
+// Each search starts from the result of `near` at that cage angle, displaced along its tangent by the change
+// of the load; else from the cage angle before.
 void PitchSearch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
   if (level_ && AlignedPitch::holds(point)) {
     level_->solve(point, results, near && !near->rollers.empty() ? near : nullptr);

@@ -46,10 +46,10 @@ class AlignedPitch {
     return point.outer_race.is_rigid() && point.bore_tilt.isZero(0.0);
   }
 
-  /// At cage angles evenly spaced over a pitch from options.first_roller on. Where a position's report says
-  /// that it did not converge, its loads are those of the last iterate. Throws std::invalid_argument where a
-  /// load or speed is not finite. The searches start by themselves; or, where `near` holds the results of
-  /// this bearing under another load, along their tangents.
+  /// At cage angles evenly spaced over a pitch from options.first_roller on. If the report of a position is
+  /// not converged, its loads are those of the last iterate. Throws std::invalid_argument where a load or
+  /// speed is not finite. The searches need no start; or, if `near` holds the results of this bearing under
+  /// another load, they start along their tangents.
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);
   /// The same as a result over the pitch without its states; none where a position did not converge.
   std::optional<QuasiStaticResult> under(const laminae::LaminaBearing& bearing, const OperatingPoint& point,

@@ -1,5 +1,5 @@
-// What acts on one ball between rings that turn, and what it does to the inner ring: Eqs. (9), (10) and (12)
-// of README.md, for constants and places of any number type.
+// Forces on one ball between rotating rings, and its forces on the inner ring: Eqs. (9), (10) and (12) of
+// README.md, for constants and positions of any number type.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// The race that alone decides how a ball's axis stands, under race control.
+/// Race that controls the direction of a ball's axis, under race control.
 enum class SpinControl { outer, inner };
 
-/// Of one race. `Number` is that of all constants.
+/// Law of one race. `Number` is that of all constants.
 template <class Number>
 struct BallRaceLaw {
   Number constant{};                   // [N/m^1.5]
   Number distance{};                   // [m]  of the centres of ball and groove, just touching
   Number ellipse{};                    // [m^2/m]  a^2 + b^2 over approach
   Number pivot{};                      // [m/m^0.5]  a E over root of approach
-  film::ApproachLawIn<Number> film{};  // with a film alone
+  film::ApproachLawIn<Number> film{};  // with a film only
 };
 
-/// How a ball touches both races, and turns between them.
+/// Contacts of a ball with both races, and its motion between them.
 template <class T>
 struct BallContacts {
   ContactNormal<T> inner, outer;
@@ -31,7 +31,7 @@ struct BallContacts {
   BallMotion<T> motion;
 };
 
-/// What follows from a ball's motion, and acts beside the contact loads.
+/// Forces caused by a ball's motion, besides the contact loads.
 template <class T>
 struct BallMotionForces {
   T centrifugal{}, gyroscopic{};         // [N], [N m]
@@ -48,8 +48,9 @@ struct BallForcesOf {
 
 namespace ball_detail {
 
-// Of the centres of ball and groove, with its direction. A groove ends where it stands upright: beyond, it
-// goes on as a plane across the axis, so that a ring which has left its balls does not meet them from behind.
+// Distance of the centres of ball and groove, with its direction. A groove ends where its surface is
+// vertical: beyond, it continues as a plane across the axis, so that a ring which has left its balls does not
+// meet them from behind.
 template <class T>
 T distance(const T& radial, const T& axial, ContactNormal<T>& normal) {
   if (mechanics::value_of(radial) > 0.0) {
@@ -69,8 +70,8 @@ T hertz(const Constant& constant, const T& approach) {
   return constant * (approach * mechanics::root(approach));
 }
 
-// How far the inner race makes a ball roll on it, by its load over the one that does so wholly: smoothly,
-// since a balance may lie between both.
+// Share of rolling on the inner race, by its load over the load for full rolling; smooth, since an
+// equilibrium may lie between both.
 template <class T, class Constant>
 T hold_of(const T& load, const Constant& whole) {
   using mechanics::value_of;
@@ -94,7 +95,7 @@ BallMotion<T> between(const BallMotion<T>& a, const BallMotion<T>& b, const T& s
 
 }  // namespace ball_detail
 
-/// What the balls of one row have in common.
+/// Common constants of the balls of one row.
 template <class Number>
 struct BallLaw {
   BallRaceLaw<Number> inner{}, outer{};
@@ -109,7 +110,7 @@ struct BallLaw {
   GyroscopicMoment gyroscopic_moment = GyroscopicMoment::balanced;
   bool filmed = false;
 
-  /// At the place of the ball from the outer groove centre and of the inner one from the ball [m].
+  /// At the position of the ball from the outer groove centre and of the inner one from the ball [m].
   template <class T, class Outer, class Inner>
   BallContacts<T> contacts(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
                            const Inner& inner_z) const {
@@ -176,7 +177,7 @@ struct BallLaw {
     return forces;
   }
 
-  /// All forces of a ball in motion, at such a place.
+  /// All forces of a ball in motion, at such a position.
   template <class T, class Outer, class Inner>
   BallForcesOf<T> forces(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
                          const Inner& inner_z, SpinControl control) const {

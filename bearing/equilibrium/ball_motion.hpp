@@ -1,4 +1,4 @@
-// How a ball turns between its races, and what its motion asks of them.
+// Motion of a ball between its races, and conditions of that motion on them.
 //
 //        r ^      outer race        n = (cos a, sin a) from the outer to the inner groove centre, at each
 //        race
@@ -22,12 +22,12 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// What decides how the ball's axis stands, and which race holds it against its gyroscopic moment.
+/// Condition for the direction of the ball's axis, and for the race that holds its gyroscopic moment.
 enum class BallAttitude {
   minimum_friction,    // traction in proportion to slip, alike on both races: their least power
   hybrid,              // both races, by the moments with which they resist spin
-  race_control,        // the race with the larger resisting moment alone, after Jones [Harris2006]
-  outer_race_control,  // the outer race alone
+  race_control,        // only the race with the larger resisting moment, after Jones [Harris2006]
+  outer_race_control,  // only the outer race
 };
 
 constexpr described::Names<BallAttitude, 4> names_of(BallAttitude) {

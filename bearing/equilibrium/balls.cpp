@@ -64,8 +64,8 @@ BallRow::BallPosition BallRow::position_of(Eigen::Index ball, const RingPosition
   return {at[0], at[1], length, length - groove_distance_};
 }
 
-// One loaded ball may have to bear all of it: the approach this asks, and the play, are the scale of the
-// place.
+// A single loaded ball may carry the whole load: the approach under it, and the play, are the scale of the
+// position.
 double BallRow::reach(double load) const {
   const double elastic = std::pow(load / constant_, 2.0 / 3.0);
   const double play = std::sqrt(2.0 * groove_distance_ * std::abs(groove_distance_ - radial_distance_));

@@ -10,7 +10,7 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// What does not change with the load.
+/// Data of the row that are independent of the load.
 class BallRow : public RingRow {
  public:
   /// Throws std::invalid_argument where the elements are no balls, grooves are no wider than balls or the
@@ -27,7 +27,7 @@ class BallRow : public RingRow {
   double axial_distance() const { return axial_distance_; }    // [m]  concentric: A sin(alpha)
   double free_angle() const;                                   // [rad]  concentric, play taken up; 0: no play
   double constant() const { return constant_; }                // [N/m^1.5]  of both contacts in series
-  /// Where the groove centres of one ball stand to each other.
+  /// Relative position of the groove centres of one ball.
   struct BallPosition {
     double radial;    // [m]
     double axial;     // [m]
@@ -35,8 +35,8 @@ class BallRow : public RingRow {
     double approach;  // [m]  positive in contact
   };
   BallPosition position_of(Eigen::Index ball, const RingPosition& position) const;
-  /// Radial and axial distance of the groove centres of one ball [m], and how both follow the place of the
-  /// ring.
+  /// Radial and axial distance of the groove centres of one ball [m], and their derivatives by the position
+  /// of the ring.
   Eigen::Vector2d coordinates(Eigen::Index ball, const RingPosition& position) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index ball) const;
   /// Cosine and sine of a ball's angle from the radial load.
@@ -53,7 +53,7 @@ class BallRow : public RingRow {
   double constant_ = 0.0;
   PointContact inner_;
   PointContact outer_;
-  Eigen::ArrayXd cosine_;  // (balls)  of their places
+  Eigen::ArrayXd cosine_;  // (balls)  of their angles
   Eigen::ArrayXd sine_;
 };
 

@@ -1,5 +1,6 @@
-// The waves of an elastic outer race as coordinates of a balance: that of order 0, then cosine and sine of
-// each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of bearing/README.md.
+// The waves of an elastic outer race as coordinates of an equilibrium: that of order 0, then cosine and sine
+// of each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of
+// bearing/README.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,14 +13,14 @@ namespace orbearing::bearing {
 /// Number of coordinates; 0 of a rigid race.
 Eigen::Index wave_count(const ElasticRace& race);
 
-/// What is stated for the orders, for each wave.
+/// Expands values given by order to one value for each wave.
 Eigen::VectorXd waves_of_orders(const ElasticRace& race, const Eigen::ArrayXd& stated);
 
-/// How stiffly the race resists each wave [N/m], and where it stands without rollers [m].
+/// Stiffness of the race against each wave [N/m], and its waves without rollers [m].
 Eigen::VectorXd wave_stiffness(const ElasticRace& race);
 Eigen::VectorXd waves_at_rest(const ElasticRace& race);
 
-/// How far each wave moves the race outward at `angle` [rad].
+/// Outward displacement of the race by each wave at `angle` [rad].
 Eigen::VectorXd wave_shapes(const ElasticRace& race, double angle);
 
 /// Adds `share` of the displacement of the race at all `angles` [rad] to `form` [m].

@@ -74,7 +74,8 @@ void require_fit(const Bearing& bearing, const PlanetRows& rows, std::size_t bea
                      rows.contact_angle, "greater than 0");
 }
 
-// The races of a tapered pair stand as wedges against each other, towards the middle of the pair or away.
+// The races of a tapered pair are inclined as wedges against each other, towards the middle of the pair or
+// away.
 double side_of(const PlanetRows& rows, std::size_t bearing) {
   const double outward = bearing == 0 ? 1.0 : -1.0;
   return rows.arrangement == RowArrangement::back_to_back ? outward : -outward;
@@ -91,7 +92,7 @@ InclinedContacts::InclinedContacts(const LineContact& contact, double taper)
 InclinedContacts::InclinedContacts(const PointContact& inner, const PointContact& outer)
     : inner_(inner), outer_(outer) {}
 
-// Of Eq. (18), with outer load and approach times and over the cosine of the taper.
+// Equilibrium of Eq. (18), with outer load and approach times and over the cosine of the taper.
 RollerBalance InclinedContacts::balance(double inertial_load, double approach) const {
   if (!lines_) return balance_ball(*inner_, *outer_, inertial_load, approach);
   RollerBalance both = balance_roller(lines_->inner, lines_->outer, inertial_load, approach / cosine_);
@@ -183,7 +184,7 @@ double InclinedPlanet::along_inner_normal(const InclinedRow& row, double angle) 
   return inertial_load(row, angle) * std::cos(row.contact_angle - row.taper);
 }
 
-// How far each coordinate moves the outer race outward along its normal, Eq. (17).
+// Displacement of the outer race outward along its normal by each coordinate, Eq. (17).
 InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double angle) const {
   const double cosine = std::cos(row.contact_angle), tilting = cosine * row.pressure_centre / lever_;
   const double x = std::cos(angle), y = std::sin(angle);
@@ -192,7 +193,7 @@ InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double an
   return all;
 }
 
-// How far each coordinate moves the outer race further outward at the end of its rollers along +z, Eq. (21).
+// End displacement of the outer race by each coordinate, at the end of its rollers along +z, Eq. (21).
 InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double angle) const {
   const double arm = row.cut->outer.half_length() / lever_;
   Position all = Position::Zero();
@@ -323,7 +324,7 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
 
 namespace {
 
-// Of the rib of the inner ring, which holds a tapered roller along that ring's race, Eq. (19).
+// Load of the rib of the inner ring, which holds a tapered roller along that ring's race, Eq. (19).
 double rib_load(const InclinedRow& row, double outer_load, double inertial_load) {
   if (row.taper == 0.0) return 0.0;
   const double along =
@@ -331,7 +332,7 @@ double rib_load(const InclinedRow& row, double outer_load, double inertial_load)
   return std::max(0.0, along);
 }
 
-// Of one roller cut into laminae, which stands at `angle` [rad].
+// Laminae of one roller at `angle` [rad].
 void put_laminae(const InclinedRow& row, const laminae::RollerState& roller, double angle, double part,
                  Eigen::Index column, InclinedRowLoads& loads) {
   loads.inner_lamina_load.col(column) =

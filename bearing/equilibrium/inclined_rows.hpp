@@ -47,7 +47,7 @@ class InclinedContacts {
 
  private:
   double cosine_ = 1.0;  // [-]  of the taper
-  // Outer contact by load and approach over the cosine, so that both loads differ by the inertial load alone.
+  // Outer contact by load and approach over the cosine, so that both loads differ by the inertial load only.
   std::optional<RollerContacts> lines_;
   std::optional<PointContact> inner_, outer_;
 };
@@ -94,13 +94,13 @@ struct PlanetLoad {
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  conjugate to the tilt
 };
 
-/// The balance at one place of the elements.
+/// The equilibrium at one position of the elements.
 struct InclinedState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    of the planet, in the middle of its face
   double axial = 0.0;                                      // [m]
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]
   std::vector<Eigen::ArrayXd> inner_load, outer_load;      // [N]    (rows) (elements)
-  std::vector<laminae::RollerState> rollers;               // row by row; of whole contacts loads alone
+  std::vector<laminae::RollerState> rollers;               // row by row; of whole contacts loads only
   /// By displacement (x, y, z) and tilt: [N/m], [N/rad], [N m/rad].
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   SolverReport report;
@@ -125,8 +125,8 @@ class InclinedPlanet {
   InclinedState balance(const PlanetLoad& load, double first_element,
                         const InclinedState* near = nullptr) const;
 
-  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: where they stood
-  /// before, and what they find.
+  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: start and result of
+  /// their searches.
   mechanics::Imbalance<5> forces(const Position& position, double first_element,
                                  std::vector<laminae::RollerState>* rollers = nullptr) const;
 
@@ -150,13 +150,14 @@ class InclinedPlanet {
   bool tilt_ = false;
 };
 
-/// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and what the row does
-/// to the planet, mean.
+/// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and the mean load of
+/// the row on the planet.
 struct InclinedRowLoads {
   Eigen::ArrayXd inner_load;  // [N]
   Eigen::ArrayXd outer_load;  // [N]
   Eigen::ArrayXd rib_load;    // [N]  of tapered rollers on the inner ring's rib
-  /// Of cut contacts, else empty: [N] (laminae, positions), [rad] (positions) outward at the end along +z
+  /// Contacts cut into laminae, else empty: [N] (laminae, positions), [rad] (positions) outward at the end
+  /// along +z
   Eigen::ArrayXXd inner_lamina_load, outer_lamina_load;
   Eigen::ArrayXd roller_tilt;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the laminae, conjugate to the planet's tilt

@@ -10,7 +10,7 @@ namespace orbearing::bearing::equilibrium {
 
 namespace {
 
-// Slopes by the place of the ball from the outer groove centre (0 and 1), and of the inner centre from the
+// Slopes by the position of the ball from the outer groove centre (0 and 1), and of the inner centre from the
 // ball.
 constexpr unsigned kOuter = 0b0011u, kInner = 0b1100u;
 template <unsigned kVariables, int index>
@@ -95,8 +95,8 @@ BallForcesOf<T> JonesRow::forces_of(const Outer& outer_r, const Outer& outer_z, 
           .outer_load = at.outer_load};
 }
 
-// Between both groove centres under the load of a ball at rest; where they are too near for that, thrown
-// against the outer race.
+// Between both groove centres under the load of a ball at rest; if they are too near for that, against the
+// outer race, as by the centrifugal load.
 Eigen::Vector2d JonesRow::default_position(const Eigen::Vector2d& grooves) const {
   const double length = grooves.norm();
   const double approach = length - law_.inner.distance - law_.outer.distance;
@@ -106,7 +106,7 @@ Eigen::Vector2d JonesRow::default_position(const Eigen::Vector2d& grooves) const
   return (law_.outer.distance + approach / (1.0 + share)) / length * grooves;
 }
 
-// Forces of one ball at its place, with their slopes.
+// Forces of one ball at its position, with their slopes.
 struct JonesRow::BallForces {
   BallForcesOf<Slopes> f;
   mechanics::Imbalance<2> on_ball;
@@ -154,8 +154,8 @@ void JonesRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& 
     at.of(*this, position, ball);
     return at.on_ball;
   };
-  // Of the loads. Its square is what remains: little on the way, round-off in the end, when a step of the
-  // ring hardly moves the ball.
+  // Relative to the loads. The remaining error is its square: small during the search, round-off at the end,
+  // when a step of the ring hardly moves the ball.
   const double near = begun ? 1e-4 : 1e-7;
   const mechanics::SearchLimits limits{.reach = 0.2 * law_.outer.distance,
                                        .size = grooves.norm(),

@@ -1,5 +1,5 @@
-// A row of balls that turns: each ball is thrown outward and turned by its gyroscopic moment, and so touches
-// both races at unlike angles under unlike loads [Jones1960], [Harris2006].
+// A rotating row of balls: each ball has a centrifugal load and a gyroscopic moment, and so touches both
+// races at different angles under different loads [Jones1960], [Harris2006].
 //
 // At rest the row is that of balls.hpp.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// What the motion of balls does to their balance.
+/// Effects of the motion of balls on their equilibrium.
 struct BallInertia {
   bool enabled = true;
   BallAttitude attitude = BallAttitude::minimum_friction;
@@ -44,17 +44,17 @@ void describe(Visitor& visit, BallInertia& m) {
                  .where = {"equilibrium.ball_inertia", "true"}}));
 }
 
-/// How a row turns, and what lies in its contacts.
+/// Motion of a row, and film in its contacts.
 struct RowMotion {
   RingSpeeds speeds;
   BallInertia inertia;
-  std::optional<Lubricant> film{};  // whose film stands for Hertz's approach, film/spin_film.hpp
+  std::optional<Lubricant> film{};  // whose film replaces Hertz's approach, film/spin_film.hpp
 
   /// Whether it acts on balls. Else their row is that at rest.
   bool moves_balls() const { return !speeds.at_rest() && (inertia.enabled || film.has_value()); }
 };
 
-/// One ball in balance.
+/// One ball in equilibrium.
 struct JonesBall {
   ContactNormal<double> inner;
   ContactNormal<double> outer;
@@ -67,7 +67,7 @@ struct JonesBall {
   BallMotion<double> motion{};
 };
 
-/// What the balls of a row in motion have in common. Throws std::invalid_argument as BallRow does.
+/// Common constants of the balls of a row in motion. Throws std::invalid_argument as BallRow does.
 BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
 class JonesRow : public RingRow {
@@ -80,15 +80,15 @@ class JonesRow : public RingRow {
   bool follows_motion() const override { return !frozen_; }
   double lever() const override { return geometry_.lever(); }
   double reach(double load) const override;
-  /// Of a ball's forces and moment on the coordinates of the ring.
+  /// Derivatives of a ball's forces and moment by the coordinates of the ring.
   using RingActs = Eigen::Matrix<double, 5, 3>;
   RingActs acts_of(Eigen::Index ball) const;
-  /// Remembers where the balls came to rest, to begin there the next time.
+  /// Stores the equilibria of the balls as the start of the next search.
   void add_forces(const RingPosition& position, RingImbalance& sum) const override;
   void put_loads(const RingPosition& position, RingState& state) const override;
-  /// Whether all balls found their balance the last time.
+  /// Whether the equilibria of all balls were found the last time.
   bool settled() const { return settled_; }
-  /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
+  /// Race control only: gives each ball the race that resists its spin more, by its loads of the last time.
   /// Whether a ball changed.
   bool choose_control();
   /// While frozen, on balls acts a centrifugal force of their orbit at the nominal contact angle and nothing
@@ -97,11 +97,11 @@ class JonesRow : public RingRow {
   /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets
   /// where the balls were.
   void push_unlike(int path);
-  /// Whether the ring, where the loads were put, yields to forces. Where a ball neither rolls on the inner
-  /// race nor has left it, a balance may stand on the point at which one ends: there it yields to none, or to
-  /// any.
+  /// Whether the ring, at the position of the stored loads, has a defined stiffness. If a ball neither rolls
+  /// on the inner race nor has left it, the equilibrium can be at the end of a law: there the ring deflects
+  /// under no force, or under any.
   bool has_stiffness() const;
-  /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
+  /// Balls that are loaded, at the position of the stored loads, where the groove is vertical and has ended.
   int beyond_grooves() const;
   /// Positions of the balls (2 each, from their outer groove centre) [m].
   Eigen::VectorXd ball_positions() const;

@@ -35,10 +35,10 @@ class LaminaBearing {
   LaminaContact outer_;
 };
 
-/// What settled rollers do to the bore [N].
+/// Force of the converged rollers on the bore [N].
 Eigen::Vector2d force_on_bore(const QuasiStaticState& state);
 
-/// Whether all of them settled.
+/// Whether all of them converged.
 bool are_settled(const std::vector<RollerState>& rollers);
 
 /// By how much profiles add to the reach of a search [m]: the largest drop of both contacts.

@@ -9,7 +9,7 @@
 namespace orbearing::bearing::laminae {
 
 /// Slope of the load on the bore and of the moment that holds its tilt by its displacement (x, y) and tilt
-/// (along x, along y): [N/m], [N/rad], [N m/m], [N m/rad]. Exact at the balance `state`, rollers settled:
+/// (along x, along y): [N/m], [N/rad], [N m/m], [N m/rad]. Exact at the equilibrium `state`:
 /// each is two springs in series, with its films, README.md (13); an outer race that bends follows.
 /// Symmetric.
 Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const QuasiStaticState& state,

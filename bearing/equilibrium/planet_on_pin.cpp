@@ -45,8 +45,7 @@ Vector2d load_share(const PlanetOnPin& planet, const OperatingPoint& point) {
   return point.bore_load / static_cast<double>(planet.bearings.size());
 }
 
-// The bearings as they stand with all coordinates zero, on a pin that is not where it should be; each under
-// its part of the load.
+// The bearings with all coordinates zero, on a pin with a position error; each under its part of the load.
 std::vector<RaceEquilibrium> bearings_on(const PlanetOnPin& planet, const OperatingPoint& point,
                                          const QuasiStaticOptions& options, double first_roller) {
   std::vector<RaceEquilibrium> races;
@@ -80,7 +79,7 @@ struct PinFreedoms {
 };
 
 // Seats on a rigid sleeve have two freedoms, however many they are: against all others the compliance of the
-// pin is zero. What the carrier adds to it says nothing of that.
+// pin is zero. The carrier's contribution does not change that.
 PinFreedoms pin_freedoms(const Eigen::MatrixXd& pin, const Eigen::MatrixXd& compliance, double lever) {
   constexpr double kRigid = 1e-12;  // [-]  of the softest freedom: round-off of zero
   const Index seats = pin.rows() / 2;
@@ -111,7 +110,7 @@ FreeCoordinates free_coordinates(const PlanetOnPin& planet, double lever, Index 
   const std::array<PinFreedoms, 2> pin{pin_freedoms(planet.pin_compliance, planet.pin_compliance, lever),
                                        pin_freedoms(planet.pin_compliance, along_y, lever)};
   const auto seats = static_cast<Index>(planet.bearings.size());
-  // Displacements of all seats stand before all slopes in the pin's own matrix.
+  // Displacements of all seats precede all slopes in the pin's own matrix.
   const auto coordinate = [&](Index i, Index axis) {
     return kPinAt + kPerSeat * (i % seats) + (i < seats ? 0 : 2) + axis;
   };
@@ -134,7 +133,7 @@ FreeCoordinates free_coordinates(const PlanetOnPin& planet, double lever, Index 
   return found;
 }
 
-// How the planet, its seats and its waves move the races of one bearing.
+// Displacements of the races of one bearing by the planet, its seats and its waves.
 SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
                                    double lever, const FreeCoordinates& free,
                                    std::vector<RollerState>& rollers) {
@@ -182,7 +181,7 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
   return rings;
 }
 
-// Where each bearing would be displaced under its part of the load.
+// Displacement of each bearing under its part of the load: start of the search.
 Eigen::VectorXd start_of(const RaceEquilibrium& first, const Eigen::VectorXd& rest) {
   Eigen::VectorXd at = rest;
   at.head<2>() = first_displacement(first);
@@ -214,7 +213,7 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
   state.report.converged = state.report.converged && are_settled(one.rollers);
 }
 
-// What load and moment on the planet move, pin, waves and rollers following.
+// Displacements by load and moment on the planet, with pin, waves and rollers free.
 Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const FreeCoordinates& free,
                               const Eigen::MatrixXd& stiffness) {
   const double seats = static_cast<double>(planet.bearings.size());

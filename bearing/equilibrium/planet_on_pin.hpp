@@ -16,15 +16,15 @@
 
 namespace orbearing::bearing::laminae {
 
-/// Planet, pin and what stands between them. All bearings on laminae, each with its own clearance.
+/// Planet, pin and the bearings between them. All bearings on laminae, each with its own clearance.
 struct PlanetOnPin {
   std::vector<LaminaBearing> bearings;
   std::vector<double> position;    // [m]  (bearings)  of their middles, from that of the face
-  Eigen::MatrixXd pin_compliance;  // [m/N], ...  pin_compliance() at these places
+  Eigen::MatrixXd pin_compliance;  // [m/N], ...  pin_compliance() at these positions
   /// The same along y, with what the carrier adds there; empty: as along x.
   Eigen::MatrixXd tangential_compliance{};
   std::vector<Eigen::Vector2d>
-      pin_error{};  // [m]    (bearings)  of an unloaded pin from its place; empty: none
+      pin_error{};  // [m]    (bearings)  of an unloaded pin from its position; empty: none
   std::vector<Eigen::Vector2d> pin_inclination{};  // [rad]  (bearings)  of an unloaded pin; empty: none
   Eigen::Matrix2d tilt_stiffness = Eigen::Matrix2d::Zero();  // [N m/rad]  by which the meshes hold the planet
 };

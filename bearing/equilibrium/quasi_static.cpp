@@ -40,7 +40,7 @@ std::string not_finite_text(const OperatingPoint& point) {
   return text.str();
 }
 
-// What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
+// Approach of the races caused by waves of the races and by unequal rollers; empty where there are none.
 Eigen::ArrayXd extra_approach(const Bearing& bearing, const Eigen::ArrayXd& angle) {
   if (is_round(bearing)) return {};
   Eigen::ArrayXd extra(angle.size());

@@ -15,12 +15,12 @@
 
 namespace orbearing::bearing {
 
-/// What belongs to the method or to the user's choice of effects.
+/// Settings of the method and selection of effects.
 struct QuasiStaticOptions {
   InertiaSwitches inertia;
   std::optional<Lubricant> film;  // lubricant whose film enters the approach; none: dry
   int cage_positions = 16;        // cage angles over one roller pitch that are averaged
-  double first_roller = 0.0;      // [rad]  place of the first roller at the first cage angle
+  double first_roller = 0.0;      // [rad]  position of the first roller at the first cage angle
   FilmApproach film_approach = FilmApproach::added;
 };
 
@@ -54,7 +54,7 @@ Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry&
 Eigen::Vector2d total_bore_load(const Bearing& bearing, const BearingGeometry& geometry,
                                 const OperatingPoint& point, const InertiaSwitches& inertia);
 
-/// What must balance with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
+/// Equilibrium problem with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
 /// load, a tilt or a speed is not finite.
 RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeometry& geometry,
                                      const OperatingPoint& point, const QuasiStaticOptions& options,
@@ -71,9 +71,9 @@ RaceEquilibrium quasi_static_problem(const laminae::LaminaBearing& bearing, cons
                                      const QuasiStaticOptions& options, double first_roller);
 
 /// Equilibrium with the first roller at `first_roller` [rad]; the search starts from `near` where one is
-/// given. The tilt of the bore is that of the point: forces balance, the moment that holds the tilt is a
-/// result. Races that are not round stand as at t = 0; the small tangential part of their contact forces, of
-/// the order amplitude * order / radius, is left out.
+/// given. The tilt of the bore is that of the point: forces are in equilibrium, the moment that holds the
+/// tilt is a result. Races that are not round have their position at t = 0; the small tangential part of
+/// their contact forces, of the order amplitude * order / radius, is left out.
 QuasiStaticState quasi_static_state(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller,
                                     const QuasiStaticState* near = nullptr);

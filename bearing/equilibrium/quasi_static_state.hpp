@@ -1,4 +1,4 @@
-// The balance of a roller bearing at one cage angle, and how it was found.
+// Static equilibrium of a roller bearing at one cage angle, and the report of its search.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace orbearing::bearing {
 
-/// How the search for the balance of the ring ended.
+/// Result of the search for the static equilibrium of the ring.
 struct SolverReport : mechanics::SearchReport {
   std::string message{};  // empty where converged
 };
@@ -24,7 +24,7 @@ struct QuasiStaticState {
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the rollers on the bore, against its tilt
   Eigen::ArrayXd inner_load;                         // [N]
   Eigen::ArrayXd outer_load;                         // [N]
-  std::vector<laminae::RollerState> rollers;         // of whole contacts loads and stiffness alone
+  std::vector<laminae::RollerState> rollers;         // of whole contacts loads and stiffness only
   SolverReport report;
 };
 

@@ -17,19 +17,19 @@ namespace {
 
 using laminae::RollerState;
 
-// The largest length [m] by which the races stand apart or overlap where they are concentric.
+// The largest gap or overlap [m] of the concentric races.
 double largest_gap(const RaceEquilibrium& problem) {
   const double extra = problem.extra_approach.size() == 0 ? 0.0 : problem.extra_approach.abs().maxCoeff();
   const ElasticRace& race = problem.outer_race;
   return std::abs(problem.clearance) + 2.0 * extra + 2.0 * (race.cosine.abs().sum() + race.sine.abs().sum());
 }
 
-// How far an elastic race gives way under all loads at one place.
+// Deflection of an elastic race under all loads at one position.
 double wave_reach(const RaceEquilibrium& problem, double load) {
   return problem.outer_race.is_rigid() ? 0.0 : problem.outer_race.compliance.sum() * load;
 }
 
-// What profiles and a stated tilt add [m].
+// Contribution of profiles and a stated tilt [m].
 double lamina_reach(const RaceEquilibrium& problem) {
   return problem.cut ? 2.0 * largest_drop(*problem.cut) + problem.end_displacement.abs().maxCoeff() : 0.0;
 }

@@ -1,4 +1,4 @@
-// Rings that balance on the rollers between them: the outer ring of one bearing, or a planet on several;
+// Rings in equilibrium on the rollers between them: the outer ring of one bearing, or a planet on several;
 // races rigid or elastic, contacts whole or cut into laminae, tilts stated or free. Eqs. (3), (4) and (14) to
 // (16) of README.md.
 #pragma once
@@ -19,7 +19,7 @@ namespace laminae {
 class LaminaBearing;
 }
 
-/// What the races of one bearing must balance at one cage angle. Arrays are over rollers.
+/// Equilibrium problem of the races of one bearing at one cage angle. Arrays are over rollers.
 struct RaceEquilibrium {
   RollerContacts contacts;
   double clearance = 0.0;                          // [m]    diametral
@@ -33,7 +33,7 @@ struct RaceEquilibrium {
 
   /// Approach of the races at roller `j` [m] when a rigid outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;
-  /// [N]  the largest of the forces that balance
+  /// [N]  the largest of the forces in equilibrium
   double force_scale() const;
 };
 
@@ -44,18 +44,18 @@ struct SettlingRow {
 
   SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<laminae::RollerState>& states);
 
-  /// Settles roller `j` with the rings at `place` and adds what it does to them.
+  /// Converges roller `j` with the rings at `position` and adds its forces on them.
   void add(Eigen::Index j, const Eigen::Vector<double, N>& position, mechanics::Imbalance<N>& sum) const;
 
   const RaceEquilibrium* races;
   Moves outward;              // [-]  (coordinates, rollers)  how far each moves the outer race outward
   Moves tilting;              // [-]  the same of its end beyond its middle; empty: the tilt is stated
   Eigen::ArrayXd concentric;  // [m]  (rollers)  approach where all coordinates are zero
-  std::vector<laminae::RollerState>* rollers;  // where their searches start, and what they find
+  std::vector<laminae::RollerState>* rollers;  // start and result of their searches
 };
 
-/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (place - rest). A rigid
-/// ring by itself (N = 2) has no stiffness but its rollers'.
+/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (position - rest). A
+/// single rigid ring (N = 2) has no stiffness but its rollers'.
 template <int N>
 struct RingsOnRollers {
   using Position = Eigen::Vector<double, N>;
@@ -66,7 +66,7 @@ struct RingsOnRollers {
   Position load;                          // [N]
   Eigen::Matrix<double, N, N> stiffness;  // [N/m]  without rollers
   Position rest;                          // [m]
-  double scale = 0.0;                     // [N]  the largest of the forces that balance
+  double scale = 0.0;                     // [N]  the largest of the forces in equilibrium
   std::vector<SettlingRow<N>> rows;       // (bearings)
 };
 
@@ -80,17 +80,17 @@ extern template struct SettlingRow<Eigen::Dynamic>;
 extern template struct RingsOnRollers<2>;
 extern template struct RingsOnRollers<Eigen::Dynamic>;
 
-/// Where a search for the displacement of the races begins, and how far it may go: the rollers under the load
-/// in contact, as far as one loaded roller asks.
+/// Start of a search for the displacement of the races, with the rollers under the load in contact, and
+/// limits of the search.
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem);
 mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 
-/// Puts angles, loads and moment of the rollers that settled in a balance.
+/// Stores angles, loads and moment of the rollers of an equilibrium.
 void put_rollers(const RaceEquilibrium& problem, std::vector<laminae::RollerState> rollers,
                  QuasiStaticState& state);
 
-/// Displacement, and waves of the outer race, at which the forces on the outer ring balance. The search
-/// starts where the ring stands in `near`, if one is given: the balance of the same bearing under another
+/// Displacement, and waves of the outer race, at static equilibrium of the outer ring. The search starts from
+/// the position of the ring in `near`, if one is given: the equilibrium of the same bearing under another
 /// load or at another cage angle.
 QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near = nullptr);
 

@@ -1,10 +1,10 @@
-// The balance of a ring on one row of rolling elements under a static load, [ISO16281]: one problem for balls
-// and for rollers on laminae.
+// Static equilibrium of a ring on one row of rolling elements, [ISO16281]: one problem for balls and for
+// rollers on laminae.
 //
-// The outer ring stands. The inner ring has five freedoms, all as lengths: x along the radial load, y across
-// it, z along the axis, and both tilts at the row's lever,
+// The outer ring is fixed. The inner ring has five freedoms, all as lengths: x along the radial load, y
+// across it, z along the axis, and both tilts at the row's lever,
 //
-//     place = (x, y, z, lever tan(tilt in the plane of x and z), lever tan(tilt in that of y and z))
+//     position = (x, y, z, lever tan(tilt in the plane of x and z), lever tan(tilt in that of y and z))
 //
 // A positive tilt moves the ring forward along z where it is positive in x or y; there it presses rollers at
 // negative z.
@@ -31,7 +31,7 @@ struct RingLoad {
   double axial = 0.0;          // [N]
   double moment = 0.0;         // [N m]  in the plane of x and z
   double moment_across = 0.0;  // [N m]  in the plane of y and z
-  std::optional<double> tilt;  // [rad]  in the plane of x and z, given in place of both moments; none: free
+  std::optional<double> tilt;  // [rad]  in the plane of x and z, given instead of both moments; none: free
 };
 
 template <class Visitor>
@@ -66,14 +66,13 @@ void describe(Visitor& visit, RingLoad& m) {
                 {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
 }
 
-/// How the search for the balance ended.
+/// Result of the search for the static equilibrium.
 struct BalanceReport : mechanics::SearchReport {
   std::string message{};  // empty where converged
 };
 
 /// Displacement of the inner ring from the concentric position, and the loads of the elements, the same on
-/// both races. Where a nominal contact angle of zero leaves no side preferred, that position is axially
-/// centred.
+/// both races. If a nominal contact angle of zero prefers no side, that position is axially centred.
 struct RingState {
   double radial = 0.0;           // [m]    along the radial load
   double lateral = 0.0;          // [m]    across it
@@ -94,13 +93,13 @@ struct RingState {
   double friction = 0.0;        // [-]    traction over load that holds the balls' gyroscopic moments, at most
   Eigen::ArrayXXd lamina_load;  // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]   of both races, after Hertz; of rollers that of a lamina
-  /// Of the ring against its displacement and tilt (x, y, z, tilt in the planes of x and z, of y and z):
-  /// [N/m], [N/rad], [N m/m], [N m/rad].
+  /// Stiffness of the ring against its displacement and tilt (x, y, z, tilt in the planes of x and z, of y
+  /// and z): [N/m], [N/rad], [N m/m], [N m/rad].
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   BalanceReport report;
 };
 
-/// The place at which a state was found. `lever` [m].
+/// The position at which a state was found. `lever` [m].
 inline RingPosition position_of(const RingState& state, double lever) {
   return (RingPosition() << state.radial, state.lateral, state.axial, lever * std::tan(state.tilt),
           lever * std::tan(state.lateral_tilt))
@@ -114,12 +113,12 @@ inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
   return bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0);
 }
 
-/// One row or several, that bear a ring.
+/// One row or several that support a ring.
 class RingRow {
  public:
   virtual ~RingRow() = default;
   virtual double lever() const = 0;             // [m]  of the tilts
-  virtual double reach(double load) const = 0;  // [m]  scale of the place under `load` [N]
+  virtual double reach(double load) const = 0;  // [m]  scale of the position under `load` [N]
   /// Adds force [N] of the elements on the ring, its stiffness, and as scale the sum of the contact loads,
   /// however they cancel.
   virtual void add_forces(const RingPosition& position, RingImbalance& sum) const = 0;
@@ -131,17 +130,18 @@ class RingRow {
 
 RingImbalance row_forces(const RingRow& row, const RingPosition& position);
 
-/// The load on the place's coordinates [N]; a given tilt bears the moments.
+/// The load on the coordinates of the position [N]; a given tilt bears the moments.
 RingPosition outer_load(const RingLoad& load, double lever);
 
-/// Stiffness by displacement [m] and tilt [rad] of one by places, whose tilts are taken at the lever [m].
+/// Stiffness by displacement [m] and tilt [rad] from one by positions, whose tilts are multiplied by the
+/// lever [m].
 Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& stiffness, double lever);
 
-/// Where the ring is, what its row bears there and how stiffly. The report is that of no search.
+/// State of the ring at `position`: loads and stiffness of its row. The report is that of no search.
 RingState state_at(const RingRow& row, const RingPosition& position);
 
-/// The search begins at `start`; a tilt that is given stays. `near` [-]: force that may remain of the loads,
-/// where the balance is a start for another; 0: round-off.
+/// The search begins at `start`; a tilt that is given is constant. `near` [-]: residual force over the loads,
+/// if the equilibrium is a start for another; 0: round-off.
 RingState balance_ring(const RingRow& row, const RingLoad& load,
                        const RingPosition& start = RingPosition::Zero(), double near = 0.0);
 

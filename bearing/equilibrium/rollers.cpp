@@ -64,7 +64,7 @@ Eigen::Matrix<double, 5, 2> RollerRow::moves(Eigen::Index roller) const {
   return all;
 }
 
-// Clearance and relief to be taken up, and twice what one roller alone would give.
+// Clearance and relief to be taken up, and twice the approach of a single loaded roller.
 double RollerRow::reach(double load) const {
   const double elastic = std::pow(load / constant_, 1.0 / laminae::LaminaLaw::exponent);
   return std::abs(clearance_) + contact_.greatest_drop() + 2.0 * elastic + 1e-6;

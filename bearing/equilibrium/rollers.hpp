@@ -11,8 +11,8 @@
 
 namespace orbearing::bearing::equilibrium {
 
-/// What does not change with the load: both contacts of a roller as one, and where the rollers stand. The
-/// axial place is free: rollers without flanges bear no axial load.
+/// Data of the row that are independent of the load: both contacts of a roller as one, and the angles of the
+/// rollers. The axial position is free: rollers without flanges bear no axial load.
 class RollerRow : public RingRow {
  public:
   /// Throws std::invalid_argument where the elements are no rollers, there are no laminae or a profile has no
@@ -26,8 +26,8 @@ class RollerRow : public RingRow {
 
   /// Both contacts of a roller as one.
   const laminae::LaminaContact& contact() const { return contact_; }
-  /// Of ring and ring at one roller, less the clearance: approach in the middle, and by how much more they
-  /// approach at z = l/2 [m]; and how both follow the place of the ring.
+  /// Approach of the rings at one roller, less the clearance: in the middle, and additionally at z = l/2 [m];
+  /// and their derivatives by the position of the ring.
   Eigen::Vector2d coordinates(Eigen::Index roller, const RingPosition& position) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index roller) const;
 
@@ -37,7 +37,7 @@ class RollerRow : public RingRow {
   laminae::LaminaContact contact_;  // c_L in all, drops of both contacts
   double clearance_;                // [m]  diametral
   double constant_;                 // c_L of a whole roller
-  Eigen::ArrayXd cosine_;           // (rollers)  of their places
+  Eigen::ArrayXd cosine_;           // (rollers)  of their angles
   Eigen::ArrayXd sine_;
 };
 

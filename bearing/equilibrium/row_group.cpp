@@ -229,7 +229,7 @@ struct AllForcesAt {
     }
     return sum;
   }
-  // The share of all that follows from the motion, in place of the frozen rows' centrifugal forces.
+  // The share of all that follows from the motion, instead of the frozen rows' centrifugal forces.
   mechanics::PathForces operator()(const Eigen::VectorXd& positions, double share) const {
     group.freeze(true);
     const mechanics::Imbalance<Eigen::Dynamic> from = (*this)(positions);
@@ -242,7 +242,7 @@ struct AllForcesAt {
   }
 };
 
-// From the balance of the frozen rows, which is alone and found from any start, along the path on which the
+// From the equilibrium of the frozen rows, unique and found from any start, along the path on which the
 // motion comes in.
 RingState balance_along(RowGroup& group, const RingLoad& load, const RingPosition& start) {
   constexpr double near = 1e-4;  // of the loads: a start for the path

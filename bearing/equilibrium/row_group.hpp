@@ -1,6 +1,6 @@
-// Any number of rows on one shaft: one balance, one stiffness.
+// Any number of rows on one shaft: one static equilibrium, one stiffness.
 //
-//        row 1        row 2              row 3         z along the shaft; x and y across; outer rings stand
+//        row 1        row 2              row 3         z along the shaft; x and y across; outer rings fixed
 //     -----+------------+-----o------------+----> z
 //                             origin of the loads and of the displacement
 //
@@ -57,7 +57,7 @@ class RowGroup : public RingRow {
   /// (rows)  by displacement and tilt in coordinates of their own.
   std::vector<Eigen::Matrix<double, 5, 5>> row_stiffnesses(const RingPosition& position) const;
 
-  // Of JonesRow, of all rows whose balls turn.
+  // As in JonesRow, for all rows with rotating balls.
   bool follows_motion() const override;
   bool settled() const;
   bool choose_control();
@@ -73,7 +73,7 @@ class RowGroup : public RingRow {
   struct Placed {
     std::variant<BallRow, RollerRow, JonesRow> row;
     double approach = 0.0;  // [m]
-    // Of the row by that of the shaft, tilts at both levers.
+    // Motion of the row by that of the shaft, tilts at both levers.
     Eigen::Matrix<double, 5, 5> motion = Eigen::Matrix<double, 5, 5>::Identity();
 
     const RingRow& bearing() const {
@@ -89,10 +89,10 @@ class RowGroup : public RingRow {
   Eigen::Index positions_ = 5;  // of the shaft and of the balls that turn
 };
 
-/// Where the shaft balances on all rows under `load`, which acts at the origin. Balls at speed are sought by
-/// Newton's method from the balance at rest, and where that stops along a path on which their motion comes
-/// in. A balance that presses balls beyond the ends of their grooves, or has no stiffness, is none; the
-/// report says so. Throws as RowGroup does.
+/// Equilibrium of the shaft on all rows under `load`, which acts at the origin. For balls at speed, Newton's
+/// method starts from the equilibrium at rest; if it fails, the search follows a path along which the motion
+/// is introduced. An equilibrium that presses balls beyond the ends of their grooves, or has no stiffness, is
+/// rejected, and the report states it. Throws as RowGroup does.
 RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load);
 
 /// The same of a single bearing, of rollers or balls.

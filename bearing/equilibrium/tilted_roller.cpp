@@ -19,7 +19,7 @@ constexpr int kMostFilmSteps = 60;
 using RollerImbalance = mechanics::Imbalance<2>;
 
 // The roller between races whose elastic approaches add up to `elastic`: the energy of both contacts and of
-// the inertial load is convex in its place and end displacement.
+// the inertial load is convex in its position and end displacement.
 struct DryRoller {
   const TiltedRoller& roller;
   const RollerSetting& setting;
@@ -81,7 +81,7 @@ double zero_of_falling(const Force& force, double low, double high) {
 
 // The same least of the energy by two searches, one within the other, each along one unknown in which the
 // force falls: slow, and sure where a lamina or two barely touch and Newton's steps lead to and fro. The
-// energy that is least in the place is convex in the end displacement.
+// energy that is least in the position is convex in the end displacement.
 RollerImbalance converge_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
   RollerImbalance now;
   const auto converge_position = [&](double end_displacement) {

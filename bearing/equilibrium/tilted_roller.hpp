@@ -1,7 +1,7 @@
-// One roller between two races that are tilted against each other: where it settles and how it tilts.
+// One roller between two races that are tilted against each other: its equilibrium and its tilt.
 //
 //   outer race  ------------------____    ^ outward   end displacement: how much further outward
-//                _________________        |           a body stands at x = l/2 than in the middle
+//                _________________        |           a body is at x = l/2 than in the middle
 //   roller      |_________________|-->x   |           approach: by how much the races have come closer
 //   inner race  -------------------       |           in the middle than unloaded dry contacts allow
 #pragma once
@@ -25,7 +25,7 @@ struct TiltedRoller {
   double taper_cosine = 1.0;
 };
 
-/// What the races and the frame do to one roller.
+/// Approach of the races and inertial load of one roller.
 struct RollerSetting {
   double approach = 0.0;                // [m]  of the races in the middle
   double inner_end_displacement = 0.0;  // [m]  of the inner race
@@ -33,7 +33,7 @@ struct RollerSetting {
   double inertial_load = 0.0;           // [N]  outward, in the middle: outer load - inner load
 };
 
-/// Where a roller settles. Start of the next search as well as its result.
+/// Equilibrium of a roller. Start of the next search as well as its result.
 struct RollerState {
   bool known = false;             // false: no earlier state to start from
   double taper_cosine = 1.0;      // [-]  as of the roller
@@ -55,7 +55,7 @@ struct RollerState {
   double inner_approach() const { return (elastic - outer_approach) / taper_cosine; }
 };
 
-/// Stiffness [N/m] that holds the roller in its place and end displacement between races at rest.
+/// Stiffness [N/m] that holds the roller in its position and end displacement between races at rest.
 inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
   const double cosine = state.taper_cosine, mixed = state.inner.mixed / cosine + state.outer.mixed;
   Eigen::Matrix2d stiffness;

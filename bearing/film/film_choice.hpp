@@ -1,4 +1,4 @@
-// How the film of one contact is found: by regressions, or by Reynolds' equation itself.
+// Method for the film of one contact: regressions, or Reynolds' equation itself.
 #pragma once
 
 #include <optional>
@@ -25,11 +25,11 @@ LineFilmCase line_film_case(const EllipticalContact& contact, double length, con
 /// Least film [m] of a line contact, 2.65 U^0.7 G^0.54 W^-0.13 R [DowsonHigginson1966].
 double dowson_higginson(const LineFilmCase& line);
 
-/// The contact and motion as Reynolds' equation takes them; directions do not matter, so sizes alone.
+/// The contact and motion in the form for Reynolds' equation; directions do not matter, so magnitudes only.
 PointFilmCase point_film_case(const EllipticalContact& contact, const Lubricant& oil,
                               const ContactMotion& motion);
 
-/// Films by Reynolds' equation; those of Hamrock and Dowson beside them. Not a number where it was not
+/// Films by Reynolds' equation; those of Hamrock and Dowson for comparison. Not a number where it was not
 /// solved.
 Films films_of(const PointFilm& solution, const EllipticalContact& contact, const Lubricant& oil,
                const ContactMotion& motion);

@@ -14,14 +14,14 @@
 
 namespace orbearing::bearing::film {
 
-/// What the regressions know of a contact.
+/// Contact data that the regressions use.
 struct EllipticalContact {
   double rolling_radius = 0.0;  // [m]   equivalent, in the plane of rolling: R_x
   double ellipticity = 1.0;     // [-]   axis across rolling over that along it
   double modulus = 0.0;         // [Pa]  E/(1 - nu^2) for like bodies
 };
 
-/// Of a ball on a race at the nominal contact angle.
+/// Contact of a ball on a race at the nominal contact angle.
 EllipticalContact ball_contact(const Bearing& bearing, Race race);
 
 /// Load and motion of the contact.
@@ -45,14 +45,14 @@ struct Films {
   double rigid = 0.0;    // [m]  approach of the bodies without their deformation less film: h_0
   double central = 0.0;  // [m]
   double least = 0.0;    // [m]
-  double central_hamrock_dowson = 0.0;  // [m]  Eq. (13), which knows no spin
+  double central_hamrock_dowson = 0.0;  // [m]  Eq. (13), without spin
   double least_hamrock_dowson = 0.0;    // [m]
 };
 
 /// Eqs. (10) to (13). A least film that spin makes vanish is 0.
 Films spin_films(const EllipticalContact& contact, const Lubricant& oil, const ContactMotion& motion);
 
-/// What lies outside of the ranges for which the regressions were made; empty where nothing does.
+/// Inputs outside of the ranges of the regressions; empty where there are none.
 std::vector<std::string> outside_of_range(const EllipticalContact& contact, const ContactMotion& motion);
 
 /// Load by approach: Eq. (10) solved for the load.

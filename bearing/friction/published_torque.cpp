@@ -14,7 +14,7 @@ constexpr double kSquareMillimetres = 1e6;  // [mm^2/m^2]
 constexpr double kNewtonMillimetre = 1e-3;  // [N m]
 constexpr double kRpm = 60.0 / constants::two_pi;
 
-// What the formulas take: mm, mm^2/s, rpm.
+// Input of the formulas: mm, mm^2/s, rpm.
 struct Printed {
   double mean_diameter, speed, viscosity;
 

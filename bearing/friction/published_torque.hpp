@@ -1,5 +1,5 @@
 // Friction torque of a rolling bearing by formulas of others: each law once. They need no motion, no contact
-// and no load of an element, and stand beside what the program computes from all three.
+// and no load of an element, and are listed next to the program's results from all three.
 //
 // Constants hold in N, N mm, mm, mm^2/s and rpm; arguments and results are SI. d_m = (d + D)/2, nu kinematic
 // viscosity, n speed.
@@ -20,7 +20,7 @@
 //                      G_sl = S_1 d_m^0.26 ((F_r + F_g)^(4/3) + S_2 F_a^(4/3))
 //     cylindrical      G_rr = R_1 d_m^2.41 F_r^0.31,  G_sl = S_2 d_m F_r
 //
-// Drag of an oil bath by SKF stands in a diagram alone and is left out.
+// Drag of an oil bath by SKF is given in a diagram only and is left out.
 #pragma once
 
 #include "bearing/life/basic_life.hpp"
@@ -43,7 +43,7 @@ struct BearingSize {
   double mean_diameter() const { return 0.5 * (bore + outside); }  // [m]  d_m
 };
 
-/// What the formulas ask of the operation.
+/// Operating condition in the formulas.
 struct TorqueCondition {
   double speed = 0.0;      // [rad/s]  of the rings against each other
   double viscosity = 0.0;  // [m^2/s]  kinematic, at running temperature
@@ -66,9 +66,9 @@ struct TorqueFactors {
   double load = 0.0;            // [N]  P_1
 };
 
-/// Of an oil bath, by series, as a maker's catalogue has them [Schaeffler2012].
+/// Factors for an oil bath, by series, as in a catalogue [Schaeffler2012].
 TorqueFactors palmgren_factors(const BearingSize& size, const TorqueCondition& at);
-/// By type alone [ISOTR14179].
+/// By type only [ISOTR14179].
 TorqueFactors gear_unit_factors(const BearingSize& size, const TorqueCondition& at);
 /// Eqs. (1) and (2).
 PartedTorque parted_torque(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at);

@@ -1,6 +1,6 @@
-// Where the inlets of rollers end, by the balance of their oil. A roller meets more oil than it lets through:
-// its film is what the roller before left. What the mixture returned to both surfaces meanwhile, a layer s
-// thick, piles up before the contact until as much leaves past both ends of the roller.
+// Ends of the inlets of rollers, by their oil balance. A roller meets more oil than it lets through: its film
+// is what the roller before left. The oil that the mixture returned to both surfaces meanwhile, a layer of
+// thickness s, accumulates before the contact until as much leaves past both ends of the roller.
 //
 //   (1)  s u l = 2 c u X^3/R                    X = (s R l/(2 c))^(1/3)
 //   (2)  s = sum of both surfaces of  (share) tau/(rho u') t

@@ -42,7 +42,8 @@ namespace {
 
 using equilibrium::RingSpeeds;
 
-// Of all rollers on one race [W]; `beyond` [N] is what the inlet beyond its end adds to each, 0 without end.
+// Loss of all rollers on one race [W]; `beyond` [N] is the contribution of the inlet beyond its end for each
+// roller, 0 without end.
 double rolling_loss(const motion::RaceModel& race, double rolling,
                     const Eigen::Ref<const Eigen::ArrayXd>& loads, double beyond = 0.0) {
   if (!race.friction.rolling_resistance) return 0.0;
@@ -120,7 +121,7 @@ balls::DragNumbers roller_drag(const Bearing& bearing, const BearingGeometry& ge
                                const motion::OilDragParameters& given, const Lubricant& oil, double flow) {
   const CylindricalRollers& rollers = bearing.rollers();
   const double density = given.oil_share * given.oil_density, radius = geometry.pitch_radius;
-  // What the cage does not hide of a roller, as of balls.
+  // Part of a roller outside of the cage, as for balls.
   const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
   const double bare = std::max(0.0, rollers.diameter - height);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);

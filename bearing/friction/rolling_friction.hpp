@@ -1,6 +1,6 @@
 // Friction of a bearing at pure rolling, by the contact laws of the motion in time: what a run at rest can
-// say of it in a millisecond. Loads are those of the balance; cage and rolling elements turn at kinematic
-// speed.
+// say of it in a millisecond. Loads are those of static equilibrium; cage and rolling elements turn at
+// kinematic speed.
 //
 //   rollers   rolling    sum over contacts 2 F u, F of contact/friction.hpp (Reynolds' equation, flooded), u
 //   the
@@ -54,14 +54,14 @@ struct RollingFriction {
   RollingFriction& operator*=(double factor);
 };
 
-/// Where the oil before a contact of rollers begins.
+/// Beginning of the oil before a contact of rollers.
 enum class InletEnd {
   none,         // anywhere
   layer,        // at the layer of all oil of the mixture, oil_layer()
   replenished,  // where as much leaves as returns, replenishment.hpp
 };
 
-/// What differs from isothermal oil without end.
+/// Deviations from isothermal oil without end.
 struct Inlets {
   double viscosity_slope = 0.0;   // [1/K]  by which the viscosity falls; 0: isothermal
   InletEnd end = InletEnd::none;  // of rollers

@@ -19,13 +19,13 @@ struct EquivalentBallLoads {
   double outer = 0.0;  // [N]
 };
 
-/// One race turns relative to the load, the other stands.
+/// One race rotates relative to the load, the other is stationary.
 inline RaceMotions rotating(Race race) {
   if (race == Race::inner) return {};
   return {.inner = RaceMotion::stationary, .outer = RaceMotion::rotating};
 }
 
-/// What the ratings know of a radial ball bearing.
+/// Data of a radial ball bearing for its ratings.
 struct BallSet {
   int rows = 1;                    // [-]
   int balls = 0;                   // [-]    in one row
@@ -82,7 +82,7 @@ double deep_groove_equivalent_load(const BallSet& set, double radial, double axi
 /// Life [rev] of all balls together, in revolutions of one race relative to the other; infinite at no load.
 /// `loads`: a ball turns through them, so their mean counts with the power 3.
 ///
-/// A race and a ball of the same steel in one contact differ by the length of their track alone. By Lundberg
+/// A race and a ball of the same steel in one contact differ by the length of their track only. By Lundberg
 /// and Palmgren's law, ln 1/S ~ N^e V, a ball bears (d_race/D)^(1/e) times the cycles N of the race, with
 /// d_race = d_m (1 -+ gamma) and e = 10/9. In a million revolutions every point of the race is passed Z/2 (1
 /// +- gamma) times; a ball turns (1 - gamma^2)/(2 gamma) times in each of them, N_j, and meets each race once

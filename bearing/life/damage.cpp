@@ -79,7 +79,7 @@ Eigen::ArrayXXd RacePassages::lamina_damage() const {
 
 namespace {
 
-// Of one roller, where it is loaded.
+// Adds the laminae of one roller, if it is loaded.
 void add_laminae_of(const RollerLoads& loads, Eigen::Index j, Race race, Eigen::Index bin, double passed,
                     Eigen::ArrayXd& forces, RacePassages& sums, RacePassages* others) {
   const double force = (race == Race::inner ? loads.inner : loads.outer)[j];

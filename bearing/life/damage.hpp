@@ -1,6 +1,6 @@
-// What rollers that pass do to the races of a bearing, and the life that it leaves: the one place where loads
-// in motion are counted. A passage counts where and when it happens: rollers that stand closer together, or
-// a cage that runs ahead or lags, load a race more or less often than pure rolling would.
+// Damage of the races by the passages of the rollers, and the resulting life. This is the only file that
+// counts loads in motion. A passage counts where and when it happens: rollers with smaller distances, or a
+// cage that runs ahead or lags, load a race more or less often than pure rolling would.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,7 +36,7 @@ struct RollerLoads {
   const double* inner = nullptr;          // [N]
   const double* outer = nullptr;          // [N]
   RaceSpeeds races;
-  /// Where the contacts stand [m], of a bearing whose laminae are counted one by one; else null.
+  /// Approaches of the contacts [m], of a bearing whose laminae are counted one by one; else null.
   const LaminaRaces* laminae = nullptr;
   const double* inner_approach = nullptr;
   const double* outer_approach = nullptr;
@@ -47,7 +47,7 @@ struct RollerLoads {
 /// [LundbergPalmgren1952]
 enum class DamagePower { of_points = 3, of_lines = 4 };
 
-/// Sums of one race. Bins stand in the carrier frame, as loads do. N^p: by the damage power.
+/// Sums of one race. Bins are fixed in the carrier frame, as loads do. N^p: by the damage power.
 struct RacePassages {
   Eigen::ArrayXd way;    // [rad]      (bins)  that elements went over the race while at a bin
   Eigen::ArrayXd load;   // [N rad]    (bins)
@@ -78,7 +78,7 @@ struct RacePassages {
            lamina_fourth_power.rows() == other.lamina_fourth_power.rows();
   }
 
-  /// What one element adds at its bin.
+  /// Contribution of one element to its bin.
   struct Share {
     double way, load, power;  // [rad], [N rad], [N^p rad]
   };
@@ -99,13 +99,13 @@ struct RacePassages {
   DamagePower damage_power_;
 };
 
-/// What both races' damage() says, and lamina_damage() where laminae are counted.
+/// Results of damage() of both races, and of lamina_damage() if laminae are counted.
 struct RaceDamage {
   Eigen::ArrayXd whole;     // [N^4]  (bins)
   Eigen::ArrayXXd laminae;  // [N^4]  (laminae, bins)  no rows: every lamina carries alike
 };
 
-/// The same where it stands, which must outlive this.
+/// Views of the same values, which must outlive this.
 struct RaceDamageView {
   Eigen::Ref<const Eigen::ArrayXd> whole;
   Eigen::Ref<const Eigen::ArrayXXd> laminae;
@@ -132,7 +132,7 @@ class DamageSums {
   RacePassages inner;
   RacePassages outer;
 
-  /// `laminae` as uneven_laminae() says.
+  /// `laminae` as returned by uneven_laminae().
   explicit DamageSums(Eigen::Index bins, Eigen::Index laminae = 0, DamagePower power = DamagePower::of_lines)
       : inner(bins, laminae, power), outer(bins, laminae, power), lamina_forces_(laminae) {}
 

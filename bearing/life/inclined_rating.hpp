@@ -24,7 +24,7 @@ double inclined_static_load(const RollerSet& set, double radial, double axial);
 BearingRating planet_bearing_rating(const Bearing& bearing, const PlanetRows& rows,
                                     const StatedRatings& stated = {});
 
-/// Capacities [N] of one roller contact of one row by Lundberg and Palmgren, with (D/d_m)^(2/9) in place of
+/// Capacities [N] of one roller contact of one row by Lundberg and Palmgren, with (D/d_m)^(2/9) instead of
 /// gamma^(2/9).
 ContactCapacities planet_contact_capacities(const Bearing& bearing, const PlanetRows& rows,
                                             double reduction_factor);

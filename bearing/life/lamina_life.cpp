@@ -19,7 +19,7 @@ Eigen::ArrayXd weights(const Eigen::ArrayXd& riser, double capacity) {
       .pow(line_contacts.damage_exponent());
 }
 
-// Mean over the places of the load's power: (2) without its root.
+// Mean over the positions of the load's power: (2) without its root.
 Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
   if (motion == RaceMotion::rotating) return loads.square().square().rowwise().mean();
   return (loads.square().square() * loads.sqrt()).rowwise().mean();

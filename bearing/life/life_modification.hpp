@@ -24,7 +24,7 @@ double required_viscosity(double speed, double pitch_diameter);
 /// by (100 mm/d_m)^0.5 or ^0.3 above d_m = 100 mm. `static_capacity` [N], `pitch_diameter` [m].
 double fatigue_load_limit(RollingElement element, double static_capacity, double pitch_diameter);
 
-/// How the oil is kept clean.
+/// Lubrication and cleaning of the oil.
 enum class Lubrication { circulating_oil, oil_bath, grease };
 
 /// Level of cleanliness, from best to worst. Oil: ISO 4406 codes -/13/10, -/15/12, -/17/14, -/19/16 and, for
@@ -39,13 +39,13 @@ enum class Cleanliness { highest, high, medium, low, lowest };
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
 
-/// What a_ISO needs beside the loads.
+/// Input of a_ISO besides the loads.
 struct OilCondition {
   double viscosity_ratio = 0.0;       // [-]  kappa: viscosity at running temperature over the required one
   double contamination_factor = 0.0;  // [-]  e_C
 };
 
-/// How a film and its cleanliness are stated.
+/// Stated film and cleanliness.
 struct StatedOil {
   std::optional<double> viscosity_ratio{};       // [-]      kappa; none: of the viscosity and the speed
   double kinematic_viscosity = 0.0;              // [m^2/s]  at running temperature

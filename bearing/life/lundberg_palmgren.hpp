@@ -2,8 +2,8 @@
 // [LundbergPalmgren1947] [LundbergPalmgren1952]; capacities and lives of line contacts, Eqs. (35)-(41) of
 // [Gai2025].
 //
-//   (1)  Q_e = power mean of the loads over the places of a race, exponent p where the race turns relative to
-//        the load, p e where it stands
+//   (1)  Q_e = power mean of the loads over the positions on a race, exponent p if it rotates relative to
+//        the load, p e if it is stationary
 //   (2)  D = (Q_e/Q_c)^(p e);  damages of laminae, races and bearings add up
 //   (3)  L = D^(-1/e) million revolutions
 #pragma once
@@ -35,7 +35,7 @@ struct FatigueLaw {
     return motion == RaceMotion::rotating ? load_exponent : damage_exponent();
   }
 
-  /// (1) [N]. `loads` [N] are taken at places evenly spaced on the race, unloaded ones included.
+  /// (1) [N]. `loads` [N] are taken at positions evenly spaced on the race, unloaded ones included.
   double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) const {
     const double largest = loads.size() > 0 ? loads.maxCoeff() : 0.0;
     if (largest <= 0.0) return 0.0;

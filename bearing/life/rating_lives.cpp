@@ -59,7 +59,7 @@ bool is_modified(const std::optional<OilCondition>& oil) {
   return oil && oil->viscosity_ratio >= kLeastViscosityRatio;
 }
 
-// What loads of single elements have no part in.
+// Lives that do not depend on the loads of single elements.
 RatingLives lives_by_load(const BearingRating& rating, const RatingCondition& condition) {
   RatingLives lives{.dynamic_capacity = rating.ratings.dynamic_capacity,
                     .static_capacity = rating.ratings.static_capacity,

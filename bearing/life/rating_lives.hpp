@@ -29,7 +29,7 @@
 
 namespace orbearing::bearing::rating {
 
-/// How the governing life is computed.
+/// Method of the governing life.
 enum class LifeMethod {
   lundberg_palmgren,  // of the loads of that fidelity, exponents 4 and 9/8 (rollers), 3 and 10/9 (balls)
   iso281,             // L10m where the oil is stated, else L10
@@ -57,8 +57,8 @@ struct BearingRating {
 
 BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated = {});
 
-/// Whether straight rollers, whose stress riser goes by position, are cut into fewer laminae than [ISO16281]
-/// has lives of.
+/// Whether straight rollers, whose stress riser depends on the position, are cut into fewer laminae than
+/// [ISO16281] requires for lives.
 bool has_too_few_laminae(const Bearing& bearing, StressRiser riser);
 
 /// Laminae with stress riser of contacts of C_r: kLeastRatedLaminae, or by the standard's formula the
@@ -108,29 +108,29 @@ inline constexpr std::array kRatedHours{&RatedHours::basic, &RatedHours::referen
 
 /// At the speed of the race that rotates relative to the load [rad/s]; infinite at rest.
 RatedHours rated_hours(const RatingLives& lives, double speed);
-/// Of bearings of which none may fail: the product law with slope e, life by life.
+/// Life of a system of bearings of which none may fail: the product law with slope e, life by life.
 RatedHours hours_together(const std::vector<RatedHours>& bearings, double slope);
-/// Of `count` equal bearings.
+/// Life of a system of `count` equal bearings.
 RatedHours hours_of_equal(const RatedHours& one, int count, double slope);
 
-/// Of rollers: means over the positions as in life::lamina_means(), for loads without stress riser; one
-/// lamina: contacts that are not cut.
+/// Lives of roller bearings: means over the positions as in life::lamina_means(), for loads without stress
+/// riser; one lamina: contacts that are not cut.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means);
 
-/// Of balls: equivalent loads over the positions, exponent 3 on the race that rotates relative to the load,
-/// 10/3 on the stationary one.
+/// Lives of ball bearings: equivalent loads over the positions, exponent 3 on the race that rotates relative
+/// to the load, 10/3 on the stationary one.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const EquivalentBallLoads& loads);
 
-/// Of either: loads of the elements on both races at one instant.
+/// Lives of either type: loads of the elements on both races at one instant.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const ElementLoads& inner, const ElementLoads& outer);
 
 /// The lives of one bearing that results hold.
 enum class Life { basic, reference, modified, modified_reference, lundberg_palmgren };
 
-/// The life that governs: requirements, peaks, spectra, crowns and sensitivities go by it.
+/// The governing life: requirements, peaks, spectra, crowns and sensitivities use it.
 constexpr Life governing_life(LifeMethod method, bool oil_is_stated) {
   if (method == LifeMethod::lundberg_palmgren) return Life::lundberg_palmgren;
   if (method == LifeMethod::iso281) return oil_is_stated ? Life::modified : Life::basic;

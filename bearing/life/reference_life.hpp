@@ -15,7 +15,7 @@ namespace orbearing::bearing::rating {
 /// The least number of laminae for which [ISO16281] gives L10r.
 inline constexpr int kLeastRatedLaminae = 30;
 
-/// How the stress at the ends of a roller, beyond that of its laminae, is taken into account.
+/// Treatment of the stress at the ends of a roller, beyond that of its laminae.
 enum class StressRiser {
   position,  // a function of the position along the roller: that of the standard's least number of laminae
   standard,  // the standard's formula for the number at hand, on which lives of straight rollers then depend
@@ -43,12 +43,12 @@ Eigen::ArrayXd on_equal_laminae(const Eigen::ArrayXd& loads, Eigen::Index count)
 /// Lamina loads [N] (laminae, rollers) that would press as hard, as line contacts of Hertz, as the largest
 /// pressures `pressure` [Pa] found in the laminae by a finer model do: q = p^2 pi D (1 -+ gamma) l (1 -
 /// nu^2)/ (E n), upper sign inner race. (In N and mm [ISO16281] writes (p/271)^2 D (1 -+ gamma) l/n, the same
-/// for E = 210 GPa, nu = 0.3.) They take the place of loads with the stress riser.
+/// for E = 210 GPa, nu = 0.3.) They replace loads with the stress riser.
 Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pressure, const RollerSet& set,
                                    Race race, const Material& material);
 
 /// Equivalent load [N] (laminae) of each lamina over the rollers: power mean with exponent 4 on the race that
-/// turns relative to the load, 4.5 on the one that stands. `loads` [N] (laminae, rollers) hold the riser.
+/// rotates relative to the load, 4.5 on the stationary one. `loads` [N] (laminae, rollers) hold the riser.
 Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& loads, RaceMotion motion);
 
 /// A number of each lamina on both races.

@@ -5,7 +5,7 @@
 
 namespace orbearing::bearing::rating {
 
-/// What the ratings know of a radial roller bearing.
+/// Data of a radial roller bearing for its ratings.
 struct RollerSet {
   int rows = 1;                  // [-]
   int rollers = 0;               // [-]    in one row

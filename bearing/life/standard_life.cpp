@@ -15,7 +15,7 @@ namespace orbearing::bearing::rating {
 
 namespace {
 
-// Where the standard's tables of f_c end [-].
+// Upper limits of the standard's tables of f_c [-].
 constexpr double kRollerTable = 0.30;
 constexpr double kBallTable = 0.40;
 

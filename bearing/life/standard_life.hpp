@@ -13,7 +13,7 @@ namespace orbearing::bearing::rating {
 /// Which exponents and slopes hold for the bearing's contacts.
 RollingElement rolling_element(const Bearing& bearing);
 
-/// What takes the place of values that the standards give.
+/// Stated values that replace those of the standards.
 struct StatedRatings {
   std::optional<double> reduction_factor;            // [-]  reduction factor of roller bearings; none: 0.83
   std::optional<double> dynamic_capacity;            // [N]  C_r
@@ -22,7 +22,7 @@ struct StatedRatings {
   StressRiser stress_riser = StressRiser::position;  // of L10r and L10mr of rollers
 };
 
-/// What the standards know of a bearing without its load.
+/// Ratings of a bearing by the standards; independent of its load.
 struct Ratings {
   double gamma = 0.0;               // [-]
   double capacity_factor = 0.0;     // [-]  f_c [N, mm]
@@ -34,7 +34,7 @@ struct Ratings {
 };
 
 Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated = {});
-/// Of rollers, with the reduction factor of the set.
+/// Ratings of roller bearings, with the reduction factor of the set.
 Ratings ratings_of(const RollerSet& set, const StatedRatings& stated);
 
 /// Equivalent load P of [ISO281] [N] under `radial` and `axial` [N]; none for balls of a nominal contact

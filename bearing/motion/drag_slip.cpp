@@ -16,7 +16,7 @@ constexpr Eigen::Index kPositions = 48;  // [-]  of the orbit that are enough
 constexpr double kSpinError = 1e-7;      // [-]  of a roller's surface speed
 constexpr double kSpeedError = 1e-7;     // [-]  of the orbit at pure rolling
 constexpr double kPlaceError = 1e-3;     // [-]  of the land's clearance, from one lap to the next
-constexpr double kTractionShare = 0.01;  // [-]  that counts beside drag
+constexpr double kTractionShare = 0.01;  // [-]  that counts compared with drag
 constexpr double kMomentError = 1e-5;    // [-]  of scale(), likewise
 constexpr double kMomentLeft = 1e-2;     // [-]  of scale(), where the slip was found
 constexpr int kMostLaps = 60;
@@ -31,7 +31,7 @@ double pure_rolling(const BearingModel& model) {
   return kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
 }
 
-// 1 or -1: that of pure rolling, which a cage that stands has too.
+// 1 or -1: that of pure rolling, also for a stationary cage.
 double sense_of_orbit(const BearingModel& model) {
   return pure_rolling(model) < 0.0 ? -1.0 : 1.0;
 }
@@ -40,8 +40,8 @@ double land_speed(const BearingModel& model) {
   return model.land.on_bore ? model.point.outer_speed : model.point.inner_speed;
 }
 
-// Where `f`, which falls, is zero, within [least, most]; beyond them the nearer one. From `guess` outwards by
-// steps that double, then by regula falsi with halved values.
+// Zero of the falling function `f` within [least, most]; beyond them the nearer bound. From `guess` outwards
+// by steps that double, then by regula falsi with halved values.
 template <class Function>
 double falling_root(const Function& f, double guess, double step, double least, double most, double error) {
   double low = guess, high = guess, at_low = f(guess), at_high = at_low;
@@ -133,7 +133,7 @@ struct Guided {
   double moment = 0.0;               // [N m]  of the land about the cage's axis
 };
 
-// Where film and touch-down hold `load` [N].
+// Position of the cage at which film and touch-down hold `load` [N].
 Guided guided(const BearingModel& model, const Vector2& load, double speed) {
   if (!model.land.present) return {};
   const LandLaw& law = model.land.law;
@@ -170,7 +170,7 @@ class Orbit {
         small_(kMomentError * scale_of(model)),
         spin_(kinematic_roller_spin(model.geometry, model.point.inner_speed, model.point.outer_speed)) {}
 
-  /// Mean moment [N m] on the cage at `speed` [rad/s]; `settled()` says whether its place was found.
+  /// Mean moment [N m] on the cage at `speed` [rad/s]; `settled()`: whether its position was found.
   double moment(double speed) {
     double before = 0.0;
     Vector2 step = Vector2::Zero(), last = Vector2::Zero();  // [m]  and what was left before it
@@ -186,7 +186,7 @@ class Orbit {
         settled_ = true;
         return sum;
       }
-      if (lap > 0 && step.squaredNorm() > 0.0) {  // Broyden: how what is left changes with the place
+      if (lap > 0 && step.squaredNorm() > 0.0) {  // Broyden: derivative of the residual by the position
         const Vector2 missed = left - last - slope_ * step;
         slope_ += missed * step.transpose() / step.squaredNorm();
       }
@@ -241,7 +241,7 @@ class Orbit {
   double once_around(double speed) {
     const Eigen::Index n = inner_.size();
     const double each = static_cast<double>(model_.layout.rollers) / static_cast<double>(n);
-    const double longest = 1e6;  // [s]  of a cage that stands: rollers in balance
+    const double longest = 1e6;  // [s]  of a stationary cage: rollers in equilibrium
     const double angle = two_pi / static_cast<double>(n);
     double moment = 0.0;
     load_ = {model_.cage.mass * field_, 0.0};
@@ -262,7 +262,7 @@ class Orbit {
   double pitch_, rolling_, field_, first_angle_, small_;
   Vector2 centre_ = Vector2::Zero();                            // [m]  of the cage
   Vector2 load_ = Vector2::Zero();                              // [N]  on it
-  Eigen::Matrix2d slope_ = -2.0 * Eigen::Matrix2d::Identity();  // [-]  of what is left by the place
+  Eigen::Matrix2d slope_ = -2.0 * Eigen::Matrix2d::Identity();  // [-]  of the residual by the position
   bool settled_ = false;
   double spin_;  // [rad/s]  of the roller at the position last passed
 };

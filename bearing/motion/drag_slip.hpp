@@ -1,5 +1,5 @@
-// How far cage and rollers stay behind pure rolling, or run ahead of it: drag of the oil, rolling resistance
-// and the guidance of the cage against the traction of the loaded rollers.
+// Lag of cage and rollers behind pure rolling, or lead: drag of the oil, rolling resistance and the guidance
+// of the cage against the traction of the loaded rollers.
 #pragma once
 
 #include <Eigen/Core>

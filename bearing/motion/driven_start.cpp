@@ -16,10 +16,10 @@ namespace orbearing::bearing::motion {
 
 namespace {
 
-constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
+constexpr double kLeastForce = 1e-12;  // [N]  an unloaded bearing is in equilibrium
 
-// Coordinates: the place of the pin ring, the waves of an elastic outer race, and the place of the bore where
-// a load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.
+// Coordinates: the position of the pin ring, the waves of an elastic outer race, and the position of the bore
+// if a load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.
 struct PinProblem {
   RaceEquilibrium races;
   Vector2 bore;
@@ -82,7 +82,7 @@ struct PinProblem {
     return sum;
   }
 
-  // The pin may have to follow its bore and give way by as much as its own load asks of the support.
+  // The pin may have to follow its bore and deflect by as much as its own load deflects the support.
   mechanics::SearchLimits limits() const {
     mechanics::SearchLimits limits = search_limits(races);
     limits.size += bore.norm();

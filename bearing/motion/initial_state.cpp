@@ -51,7 +51,7 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
   state.spin[j] = spin;
 }
 
-// Each roller tilted to where its contacts balance.
+// Each roller at the tilt of its equilibrium.
 void tilt_rollers(const BearingModel& model, Eigen::Ref<Eigen::VectorXd> x) {
   if (!model.layout.tilting) return;
   const auto seen = vectorised::seen_rollers(model, vectorised::surroundings_at(model, 0.0), x);

@@ -1,4 +1,4 @@
-// Where a run begins: quasi-static places and loads, kinematic speeds.
+// Start of a run: quasi-static positions and loads, kinematic speeds.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +14,10 @@ struct InitialState {
 };
 
 /// For steady speeds, or for the speeds of a run-up at t = 0 (its Euler terms are left to the motion).
-/// Rollers stand where the quasi-static bearing has them, with the approach their loads need; rollers and
-/// cage turn at pure rolling, or the cage at the reference speed that was asked for; the cage is centred in
-/// its land; the pin is displaced as its support demands. Where the quasi-static solver fails, `report` says
-/// so and the rings are centred.
+/// Rollers are at their quasi-static positions, with the approach that their loads require. Rollers and cage
+/// turn at pure rolling, or the cage at the requested reference speed; the cage is centred in its land; the
+/// pin is displaced by the deflection of its support. If the quasi-static solver fails, `report` states it
+/// and the rings are centred.
 InitialState initial_state(const Bearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller);
 
@@ -26,7 +26,7 @@ QuasiStaticOptions start_options(const DynamicsParameters& parameters);
 /// The film that is part of the contacts; as printed it is part of the races' radii.
 std::optional<Lubricant> added_film(const QuasiStaticOptions& options);
 
-/// Where the rings stand at the start, and how fast cage and rollers turn.
+/// Positions of the rings at the start, and speeds of cage and rollers.
 struct StartMotion {
   Vector2 pin;              // [m]
   Vector2 bore;             // [m]

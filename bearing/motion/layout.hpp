@@ -1,4 +1,4 @@
-// Where each variable of the state stands in the flat vector, and what it is called.
+// Position of each variable of the state in the flat vector, and its name.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | end displacement (Z), where rollers tilt
 //     | cage x y psi x' y' psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the
@@ -15,7 +15,7 @@
 
 namespace orbearing::bearing::motion {
 
-/// What a variable of the state is; integrators weigh errors by kind.
+/// Kind of a variable of the state; integrators weigh errors by kind.
 enum class VariableKind { length, angle, velocity, angular_speed };
 
 using StateLayout = vectorised::Layout<Eigen::Index, 1>;

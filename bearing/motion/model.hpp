@@ -45,8 +45,8 @@ inline double equivalent_time(const Driving& driving, double time) {
   return time + 0.5 * driving.ramp * time * time;
 }
 
-// From what the user states to the laws of one race, and those laws for plain numbers where no motion asks
-// for them.
+// From the parameters to the laws of one race, and those laws for plain numbers for use outside of the
+// motion.
 
 /// One race with its laws, fixed for a run.
 struct RaceModel : vectorised::RaceLaws {
@@ -60,8 +60,7 @@ struct RaceModel : vectorised::RaceLaws {
 RaceContactParameters with_limited_scales(const BearingGeometry& geometry, const OperatingPoint& point,
                                           RaceContactParameters given);
 
-/// Laws of `race`. `point` gives the film that is subtracted where the source's printed approach is asked
-/// for.
+/// Laws of `race`. `point` gives the film that is subtracted if the source's printed approach is selected.
 RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
                      Race race, const DynamicsParameters& parameters);
 
@@ -110,7 +109,7 @@ struct BodyInertia {
   double inertia = 0.0;  // [kg m^2]  about its axis
 };
 
-/// How the load on the bore changes in a run-up; all at t = 0.
+/// Parts of the load on the bore by their change in a run-up; all at t = 0.
 struct BoreLoads {
   Vector2 meshes = Vector2::Zero();       // [N]  falls as the speed rises
   Vector2 centrifugal = Vector2::Zero();  // [N]  of the planet, rises with the square of the speed
@@ -161,8 +160,8 @@ struct BearingModel {
 BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
 
-/// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays in its
-/// place.
+/// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays at its
+/// address.
 inline const LaminaRaces* cut_races(const BearingModel& model) {
   return model.laminae ? &*model.laminae : nullptr;
 }

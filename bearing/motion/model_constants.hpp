@@ -10,18 +10,19 @@
 
 namespace orbearing::bearing::vectorised {
 
-/// What is prescribed for `model` at `time` [s].
+/// Prescribed motions and loads of `model` at `time` [s].
 Surroundings surroundings_at(const motion::BearingModel& model, double time);
-/// And where others move its bore: the pin ring does not turn, teeth press on its waves with their means.
+/// The same with a prescribed motion of its bore: the pin ring does not turn, teeth press on its waves with
+/// their means.
 Surroundings surroundings_of(const motion::BearingModel& model, const motion::BoreMotion& motion);
 
 /// Whether scratches or waves turn with the race.
 bool turns_unevenly(const motion::RaceModel& race);
 
-/// Whether what is prescribed for `model` changes in time.
+/// Whether the prescribed motions or loads of `model` change in time.
 bool surroundings_change(const motion::BearingModel& model);
 
-/// Valid as long as the model stays in its place and as it is.
+/// Valid as long as the model stays at its address and unchanged.
 class ModelConstants {
  public:
   explicit ModelConstants(const motion::BearingModel& model);
@@ -45,7 +46,7 @@ class ModelConstants {
   std::vector<double> pocket_cosine_, pocket_sine_, roller_radius_;  // (lanes)
 };
 
-/// What can be read off the rollers of `model` in the state `x`, in the order of motion/layout.hpp, under
+/// Observed values of the rollers of `model` in the state `x`, in the order of motion/layout.hpp, under
 /// `now`.
 std::vector<SeenRoller> seen_rollers(const motion::BearingModel& model, const Surroundings& now,
                                      const Eigen::Ref<const Eigen::VectorXd>& x);

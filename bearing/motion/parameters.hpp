@@ -1,5 +1,5 @@
-// What the motion in time needs beyond the quasi-static bearing. Every default is an assumption; its reason
-// stands in the row beneath, or beside the member where no case states it.
+// Parameters of the motion in time in addition to those of the quasi-static bearing. Every default is an
+// assumption; its reason is in the row below, or at the member where no case states it.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,12 +9,12 @@
 
 namespace orbearing::bearing::motion {
 
-/// How friction in a race contact follows the sliding speed.
+/// Friction in a race contact as a function of the sliding speed.
 enum class TractionLaw {
   regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
   limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
                         // [BairWiner1979]
-  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls alone
+  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls only
 };
 
 constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
@@ -23,7 +23,7 @@ constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
            {TractionLaw::ree_eyring, "ree-eyring"}}};
 }
 
-/// What a traction model works with; the checks, the inputs used and the equations follow from it.
+/// Nature of a traction model; the checks, the inputs used and the equations follow from it.
 struct TractionNature {
   bool of_rollers;  // rollers have it; balls have all
   bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
@@ -43,7 +43,7 @@ constexpr TractionNature nature_of(TractionLaw law) {
 
 /// Who carries the load of a race contact.
 enum class Lubrication {
-  full,   // the film, or the surfaces, alone: one law of friction
+  full,   // the film only, or the surfaces only: one law of friction
   mixed,  // film and asperities share load and friction by the film ratio [OlverSpikes1998]
 };
 
@@ -51,7 +51,7 @@ constexpr described::Names<Lubrication, 2> names_of(Lubrication) {
   return {{{Lubrication::full, "full"}, {Lubrication::mixed, "mixed"}}};
 }
 
-/// How the shear of the oil at the inlet follows from load and speed.
+/// Rolling resistance by the shear of the oil at the inlet, as a function of load and speed.
 enum class RollingLaw {
   reynolds,           // computed: Reynolds' equation of line contacts
   goksem_hargreaves,  // the regression of [ZhouHoeprich1991] to [GoksemHargreaves1978]
@@ -81,7 +81,7 @@ constexpr described::Names<FilmReduction, 2> names_of(FilmReduction) {
   return {{{FilmReduction::none, "none"}, {FilmReduction::gupta, "gupta"}}};
 }
 
-/// What is left of the rolling resistance where inlets find less oil than flooded ones.
+/// Reduction of the rolling resistance where inlets are not flooded.
 enum class Starvation {
   none,         // flooded; of rollers at rest as far as all oil of the mixture reaches
   skf,          // factor of an oil jet or a low bath, friction/published_torque.hpp [SKF6000]
@@ -92,7 +92,7 @@ constexpr described::Names<Starvation, 3> names_of(Starvation) {
   return {{{Starvation::none, "none"}, {Starvation::skf, "skf"}, {Starvation::replenished, "replenished"}}};
 }
 
-/// How the viscosity of the oil in a contact grows with the pressure, where it is sheared.
+/// Viscosity of the sheared oil in a contact as a function of the pressure.
 enum class PressureLaw {
   barus,     // exp(alpha p), held at a largest exponent
   roelands,  // contact/pressed_oil.hpp [Roelands1966]
@@ -102,7 +102,7 @@ constexpr described::Names<PressureLaw, 2> names_of(PressureLaw) {
   return {{{PressureLaw::barus, "barus"}, {PressureLaw::roelands, "roelands"}}};
 }
 
-/// What the damping of a race contact acts on.
+/// Velocity on which the damping of a race contact acts.
 enum class DampingLaw {
   approach_speed,      // [HuntCrossley1975]
   literature_variant,  // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness;
@@ -137,7 +137,7 @@ struct RaceContactParameters {
   Starvation starvation = Starvation::none;
   double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
   FilmApproach film_approach = FilmApproach::added;
-  bool squeeze = false;  // the oil that is pressed out resists the approach
+  bool squeeze = false;  // squeeze film: oil resists the approach
   DampingLaw damping_law = DampingLaw::approach_speed;
   Lubrication lubrication = Lubrication::full;
   double roughness = 0.2e-6;        // [m]  composite rms of roller and race
@@ -476,9 +476,9 @@ void describe(Visitor& visit, SupportParameters& m) {
 
 /// Waves of an elastic outer race in motion.
 struct RimParameters {
-  int most_order = 8;           // [-]  of the waves that move; what more of them are worth is in README
-  double damping_ratio = 0.02;  // [-]  of each wave by itself. Assumption: rings pressed into a steel gear;
-                                //      what a tenth or five times as much is worth is in README
+  int most_order = 8;           // [-]  of the waves that move; effect of more waves: README
+  double damping_ratio = 0.02;  // [-]  of each wave. Assumption: rings pressed into a steel gear;
+                                //      effect of a tenth or five times as much: README
 };
 
 template <class Visitor>
@@ -494,7 +494,7 @@ struct LoadHarmonic {
   Eigen::Vector2d sine = Eigen::Vector2d::Zero();    // [N]
 };
 
-/// What the meshes add to the mean load on the bore as their teeth pass, as a Fourier series.
+/// Variation of the mesh loads on the bore about their mean as the teeth pass, as a Fourier series.
 struct MeshExcitation {
   double angular_frequency = 0.0;       // [rad/s]  of tooth engagement
   std::vector<LoadHarmonic> harmonics;  // in rising order

@@ -87,7 +87,7 @@ class Instant {
   }
   const BodyMotion& land() const { return model_.land.on_bore ? bore : pin; }
 
-  // Of rollers and land on a ring, about its centre.
+  // Wrench of rollers and land on a ring, about its centre.
   Wrench on_ring(Race race) const {
     const bool inner = race == Race::inner;
     Wrench sum;
@@ -114,7 +114,8 @@ class Instant {
   std::vector<SeenRoller> seen;
 };
 
-// What the tilting of a roller loses, and what holds the bore's tilt while the roller passes through it [W].
+// Power lost by the tilting of a roller, and power that holds the bore's tilt while the roller passes through
+// it [W].
 struct TiltPower {
   double lost = 0.0;
   double held = 0.0;
@@ -192,7 +193,7 @@ double elastic_energy(const RaceModel& race, double elastic_approach) {
   return elastic_approach > 0.0 ? LineContact(race.stiffness).energy(elastic_approach) : 0.0;
 }
 
-// Both contacts of a roller. What the film holds is that of the straight contact.
+// Both contacts of a roller. The energy of the film is that of the straight contact.
 double contact_energy(const BearingModel& model, const Instant& now, Eigen::Index j) {
   const auto stored = [](const RaceModel& race, const Contact& contact) {
     return race_energy(race, contact.elastic_approach, contact.entrainment);
@@ -222,7 +223,7 @@ void add_rim_energy(const BearingModel& model, const ConstStateViews& state, dou
   }
 }
 
-// Of teeth whose forces on the waves change at `slope` [1/s] of their means.
+// Power of teeth whose forces on the waves change at `slope` [1/s] of their means.
 double teeth_power(const BearingModel& model, const ConstStateViews& state, double meshes, double slope) {
   double power = 0.0;
   for (Eigen::Index i = 0; i < model.layout.waves; ++i) {
@@ -232,7 +233,7 @@ double teeth_power(const BearingModel& model, const ConstStateViews& state, doub
   return power;
 }
 
-// What holds forms and a tilted bore while races and rollers turn through them.
+// Power that holds forms and a tilted bore while races and rollers turn through them.
 double holding_power(const BearingModel& model, const Instant& now) {
   double power = 0.0;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
@@ -267,7 +268,7 @@ double weight_power(const BearingModel& model, const Instant& now, const Vector2
   return gravity.dot(momentum);
 }
 
-// What is prescribed a little before, now and a little after.
+// Prescribed motions and loads shortly before, now and shortly after.
 using ThreeTimes = std::array<Surroundings, 3>;
 
 double changing_film_power(const BearingModel& model, const ThreeTimes& times,

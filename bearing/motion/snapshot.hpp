@@ -1,4 +1,4 @@
-// What can be read off the bearing at one instant: loads, slip, film, energy and losses.
+// Observed values of the bearing at one instant: loads, slip, film, energy and losses.
 #pragma once
 
 #include <Eigen/Core>
@@ -71,7 +71,7 @@ struct PowerInput {
 struct Snapshot {
   RaceSnapshot inner;
   RaceSnapshot outer;
-  Eigen::ArrayXd angle;          // [rad]  (rollers)  place of each roller, from 0 to 2 pi
+  Eigen::ArrayXd angle;          // [rad]  (rollers)  angle of each roller, from 0 to 2 pi
   Eigen::ArrayXd orbital_speed;  // [rad/s]  (rollers)  relative to the carrier
   Eigen::ArrayXd spin;           // [rad/s]  (rollers)
   bool caged = true;
@@ -84,14 +84,14 @@ struct Snapshot {
   BoreReaction on_bore;                     // of rollers, film and, where the outer ring guides it, the cage
   BorePort port;
   RaceSpeeds race_speeds;
-  /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
+  /// Approaches of the contacts [m] (rollers), and the laminae; empty and none where contacts are not cut.
   Eigen::ArrayXd inner_approach, outer_approach, end_displacement;
   const LaminaRaces* laminae = nullptr;
   Eigen::VectorXd waves;  // [m]  of an elastic race; none: rigid
   PowerLoss loss;
 };
 
-/// What the races get of it; valid as long as `snapshot`.
+/// Roller loads of the snapshot for the damage of the races; valid as long as `snapshot`.
 RollerLoads loads_of(const Snapshot& snapshot);
 
 /// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
@@ -101,9 +101,9 @@ Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vecto
 void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
                    double time = 0.0);
 
-/// What can be read off a bearing in the state `x` whose bore others move: it stands where `motion` says,
-/// whatever its four entries of `x` hold. Loads, speeds and frame that `model` was made with are not used,
-/// nor are its excitation and its run-up; the pin ring does not turn.
+/// Observed values of a bearing in the state `x` with a prescribed motion of its bore: the bore follows
+/// `motion`, whatever its four entries of `x` hold. Loads, speeds and frame with which `model` was made are
+/// not used, nor are its excitation and its run-up; the pin ring does not turn.
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 
@@ -115,7 +115,7 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                        const Eigen::Ref<const Eigen::VectorXd>& dx);
 
-/// As their namesakes, under `motion`. What moves the bore is no part of the power.
+/// As their namesakes, under `motion`. The power of the prescribed bore motion is not included.
 StoredEnergy driven_energy(const BearingModel& model, const BoreMotion& motion,
                            const Eigen::Ref<const Eigen::VectorXd>& x);
 PowerInput driven_power_input(const BearingModel& model, const BoreMotion& motion,

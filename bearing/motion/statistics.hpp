@@ -47,7 +47,7 @@ struct WindowStatistics {
 /// Gathers samples spread evenly over time and turns them into means.
 class StatisticsCollector {
  public:
-  /// `laminae` as uneven_laminae() says.
+  /// `laminae` as returned by uneven_laminae().
   StatisticsCollector(Eigen::Index rollers, Eigen::Index bins, Eigen::Index laminae = 0);
 
   /// `at_start` is the snapshot at the beginning of the window.
@@ -56,9 +56,9 @@ class StatisticsCollector {
   /// As add(), in two parts: loads that count for `weight` (any unit), also in `other`, and all the rest.
   void add_loads(double weight, const RollerLoads& loads, DamageSums* other = nullptr);
   void add_state(double time, const Snapshot& sample);
-  /// What bearing and bore exchange, for `weight` (any unit). The mean of -moment speed - travel is what the
-  /// bearing takes; mean friction moment times mean speed is that of a bore that turns evenly about a fixed
-  /// axis, and the rest the power of its vibration.
+  /// Adds the power between bearing and bore, for `weight` (any unit). The mean of -moment speed - travel is
+  /// the power that the bearing receives. Mean friction moment times mean speed is that of a bore that turns
+  /// evenly about a fixed axis, and the rest the power of its vibration.
   void add_bore(double weight, const BorePort& port);
   /// Means over all samples since begin(); at least one sample.
   WindowStatistics means() const;
@@ -93,7 +93,7 @@ class StatisticsCollector {
   double end_orbit_angle_ = 0.0;    // [rad]
 };
 
-/// What a race has taken of its life.
+/// Accumulated damage of a race.
 RaceDamageView damage_of(const RaceStatistics& race);
 
 }  // namespace orbearing::bearing::motion

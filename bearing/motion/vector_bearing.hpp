@@ -27,12 +27,13 @@ class VectorBearing {
   void derivative(double time, const double* x, double* dx);
   /// As derivative(), and keeps the Jacobian for factor() and solve().
   void linearise(double time, const double* x, double* dx);
-  /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], and in a run-up
-  /// through all that it changes, into `rate` (padded), where it was linearised last. That of waves and
-  /// scratches that turn with a race at a steady speed is left out: the order does not ask for it.
+  /// Derivative of the right-hand side by time only, through the load on the bore at `time` [s], and in a
+  /// run-up through all that it changes, into `rate` (padded), at the point of the last linearisation. That
+  /// of waves and scratches that turn with a race at a steady speed is left out: the order does not require
+  /// it.
   void time_slope(double time, double* rate);
-  /// What gravity adds to such a slope in the padded state `x`, but for the planet's weight; the carrier has
-  /// turned by `carrier_angle` [rad].
+  /// Contribution of gravity to such a derivative in the padded state `x`, without the planet's weight; the
+  /// carrier has turned by `carrier_angle` [rad].
   void add_weight_slope(double carrier_angle, double carrier_speed, const double* x, double* rate) const;
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
@@ -43,15 +44,15 @@ class VectorBearing {
   /// As derivative(), of a state in the order of motion/layout.hpp.
   void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx);
 
-  /// As their namesakes, for a bore that is driven: it stands where its four entries of `x` say, and its
-  /// velocity changes at the acceleration of `motion`; place and velocity of `motion` are not used.
+  /// As their namesakes, for a bore that is driven: its position is that of its four entries of `x`, and its
+  /// velocity changes at the acceleration of `motion`; position and velocity of `motion` are not used.
   void derivative(const motion::BoreMotion& motion, const double* x, double* dx);
   void linearise(const motion::BoreMotion& motion, const double* x, double* dx);
-  /// Of a state in the order of motion/layout.hpp, with its bore where `motion` says; what the bearing does
-  /// to it.
+  /// Rate of a state in the order of motion/layout.hpp, with its bore following `motion`; returns the
+  /// reaction of the bearing on it.
   motion::BoreReaction derivative(const motion::BoreMotion& motion,
                                   const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx);
-  /// What the bearing does to the bore, at the last evaluation.
+  /// Reaction of the bearing on the bore, at the last evaluation.
   motion::BoreReaction reaction() const;
   /// Slopes of its force, at the last linearisation.
   BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }

@@ -13,7 +13,7 @@
 
 namespace orbearing::bearing::half_space {
 
-/// How a body ends at x = +-l/2.
+/// Ends of a body at x = +-l/2.
 enum class EndSurface {
   continuing,  // the body goes on: a half-space, as a race longer than the roller
   mirrored,    // free of shear: the pressure mirrored at the end acts as well [Mul1986]

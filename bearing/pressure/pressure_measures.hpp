@@ -1,4 +1,4 @@
-// What a pressure along the roller comes to: peaks, edges, loads of laminae.
+// Characteristic values of a pressure along the roller: peaks, edges, loads of laminae.
 #pragma once
 
 #include "bearing/pressure/contact.hpp"

@@ -14,7 +14,7 @@
 //
 //   (3)  b_i^2 = (4 R c/h_i) sum_j V_ij q_j b_i^2,   V = -dW/d(B)/(2 B)
 //
-// One strip across is the idea of [Reusner1977] and [Mul1986]; energy in place of displacement along y = 0
+// One strip across is the idea of [Reusner1977] and [Mul1986]; energy instead of displacement along y = 0
 // makes it symmetric and its loads derivatives of its energy.
 #pragma once
 
@@ -25,7 +25,7 @@
 
 namespace orbearing::bearing::half_space {
 
-/// Where and how finely the strips are solved.
+/// Resolution and accuracy of the strips.
 struct StripSettings {
   int elements = 64;        // [-]  along the roller
   double grading = 0.92;    // [-]  see graded_grid
@@ -33,7 +33,7 @@ struct StripSettings {
   int most_iterations = 400;
 };
 
-/// One roller on one race; made once and asked for many loads, tilts and profiles, from any thread.
+/// One roller on one race; made once and used for many loads, tilts and profiles, from any thread.
 class StripContact {
  public:
   explicit StripContact(const HalfSpaceContact& contact, const StripSettings& settings = {});

@@ -184,7 +184,7 @@ StripInfluence::Pair StripInfluence::pair_of(const Corners& corners) {
   Pair pair;
   pair.nearest = corners.nearest();
   if (!(pair.nearest > 0.0)) {
-    return pair;  // always near: the far field is never asked for
+    return pair;  // always near: the far field is never used
   }
   using Far = StripFarField;
   pair.far[0] = corners.difference([](double x) { return x * std::log(x); });

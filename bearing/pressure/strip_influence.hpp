@@ -40,7 +40,7 @@ struct StripFarField {
   static constexpr double from = 6.0;  // [-]  |x|/b, from where the influence errs by less than 1e-7
 };
 
-/// What changes with the widths b of the strips. Pairs of unlike widths act as two of the width
+/// Matrices that depend on the widths b of the strips. Pairs of unequal widths act as two of the width
 /// sqrt((b_i^2 + b_j^2)/2): the mean of (y - y')^2 is then exact, and the matrix symmetric.
 struct StripMatrices {
   Eigen::MatrixXd
@@ -48,7 +48,7 @@ struct StripMatrices {
   Eigen::MatrixXd widening;  // [1/m]  -dW_ij/d(B)/(2 B), B the common width: what drives the widths apart
 };
 
-/// The part that depends on the grid alone; made once, used for all loads, tilts and profiles.
+/// The part that depends on the grid only; made once, used for all loads, tilts and profiles.
 class StripInfluence {
  public:
   /// `mirror_factor` [-] of the pressure mirrored at both ends.

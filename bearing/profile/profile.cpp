@@ -217,7 +217,7 @@ namespace {
 using mechanics::require;
 using mechanics::require_not_negative;
 
-// What kinds have beside their length, depth or amplitude, and leading parameter.
+// Parameters of each kind besides its length, depth or amplitude, and leading parameter.
 template <class Shape>
 void check(const Shape&) {}
 

@@ -1,4 +1,4 @@
-// What is asked of a profile, whatever its kind (bearing/profile/shapes.hpp).
+// Functions of a profile of any kind (bearing/profile/shapes.hpp).
 #pragma once
 
 #include <string>
@@ -59,7 +59,7 @@ struct JohnsGohar {
 
 /// Reference profile of [ISO16281]: -0.00035 D ln(1 - (2x/l)^2) for l <= 2.5 D; a longer roller is straight
 /// but for 1.25 D at each end, -0.0005 D ln(1 - u^2) with u = (2|x| - (l - 2.5 D))/(2.5 D). Infinite at the
-/// end; the standard asks for it at the middles of laminae only and has no cap. Here it is held beyond u = 1
+/// end; the standard uses it at the middles of laminae only and has no cap. Here it is held beyond u = 1
 /// - 1e-6, where it is about 13 times its factor.
 struct Iso16281 {
   double length = 0.0;    // [m]
@@ -87,7 +87,7 @@ struct Table {
 using Profile = std::variant<Straight, Chamfer, CircularCrown, StraightCircular, Lundberg, JohnsGohar,
                              Iso16281, FujiwaraKawase, Table>;
 
-/// Relief at one place.
+/// Relief at one position.
 struct Relief {
   double drop = 0.0;           // [m]
   double per_parameter = 0.0;  // [m/unit of the leading parameter]  d(drop)/d(leading parameter)
@@ -120,7 +120,7 @@ double leading_parameter(const Profile& profile);
 Profile with_parameter(Profile profile, double value);
 
 /// The same kind of profile, deep enough to have `depth` [m] at `station` [m]. Throws std::invalid_argument
-/// where that place has no relief at any depth.
+/// where that position has no relief at any depth.
 Profile with_drop(const Profile& profile, double station, double depth);
 
 /// Name as in case files: straight, chamfer, circular, straight-circular, lundberg, johns-gohar, iso16281,
@@ -132,11 +132,11 @@ void require_sound(const Profile& profile);
 
 // Logarithmic profiles for a load: the relief that gives an even line load on an elastic half-space.
 
-/// Where a profile's drop is stated, as a share of half the length: the middle of the outermost of 40
-/// laminae. The ends themselves are no good place, for logarithmic profiles are steepest there.
+/// Position at which a profile's drop is stated, as a share of half the length: the middle of the outermost
+/// of 40 laminae. The ends themselves are not suitable, since logarithmic profiles are steepest there.
 inline constexpr double kDropPosition = 39.0 / 40.0;
 
-/// What a logarithmic profile is laid out for.
+/// Design load of a logarithmic profile.
 struct DesignLoad {
   double load = 0.0;               // [N]  Q of one roller on one race
   double length = 0.0;             // [m]  l

@@ -1,5 +1,5 @@
-// The constants of the frozen equations, read from the program's model: the one place where the frozen code
-// knows the program of today.
+// The constants of the frozen equations, read from the program's model. This is the only file of the frozen
+// code that uses the present program.
 #pragma once
 
 #include "bearing/motion/model.hpp"

@@ -8,7 +8,7 @@ constexpr double kLoadExponent = 10.0 / 9.0;
 constexpr double kFilmLoadExponent = 0.13;  // h ~ Q^-0.13
 constexpr double kFilmSpeedExponent = 0.7;  // h ~ u^0.7
 constexpr double kFilmApproachExponent = kFilmLoadExponent * kLoadExponent;
-// Where h ~ u^0.7 Q^-0.13 meets the rigid film ~ u / Q: load, elastic approach and film of that crossing.
+// Intersection of h ~ u^0.7 Q^-0.13 with the rigid film ~ u / Q: load, elastic approach and film there.
 constexpr double kCapLoadSpeedExponent = (1.0 - kFilmSpeedExponent) / (1.0 - kFilmLoadExponent);
 constexpr double kCapApproachSpeedExponent = kCapLoadSpeedExponent / kLoadExponent;
 constexpr double kCapSpeedExponent = kFilmSpeedExponent - kFilmLoadExponent * kCapLoadSpeedExponent;

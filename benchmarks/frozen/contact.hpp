@@ -19,7 +19,7 @@ inline double regularised_friction(double friction, double load, double sliding,
   return friction * load * sliding / std::sqrt(sliding * sliding + scale * scale);
 }
 
-/// What a contact and its oil are made of.
+/// Constants of a contact and its oil.
 struct OiledLine {
   double stiffness = 0.0;           // [N/m^(10/9)]
   double equivalent_radius = 0.0;   // [m]

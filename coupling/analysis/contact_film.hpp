@@ -1,4 +1,4 @@
-// A contact that rolls and spins by itself, the model spin-film, and its film at given loads and speeds.
+// A single contact that rolls and spins, the model spin-film, and its film at given loads and speeds.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ struct ContactOfBodies {
   std::variant<EllipseOfContact, LineOfContact> shape{};
   double modulus = 0.0;  // [Pa]  E/(1 - nu^2) for like bodies
 
-  /// As the regressions know it; of a line with the ellipticity 1.
+  /// As used in the regressions; of a line with the ellipticity 1.
   bearing::film::EllipticalContact ellipse() const;
 };
 template <class Visitor>
@@ -76,11 +76,11 @@ void describe(Visitor& visit, SpinFilm& m) {
           input(m.points, "points", "loads and motions for which the film is computed"));
 }
 
-/// What of a machine does not fit together.
+/// Inconsistencies of the inputs.
 mechanics::Problems problems(const SpinFilm& machine);
 
-/// Central film of a line, over a step of its grid squared, below which the grid does not tell it: its least
-/// film is some tenths too thin there.
+/// Central film of a line, over a step of its grid squared, below which the grid does not resolve it: its
+/// least film is some tenths too thin there.
 inline constexpr double least_film_in_steps = 60.0;
 
 struct FilmPoint {

@@ -1,4 +1,4 @@
-// Meshes of gears: stiffness over the mesh period, contact ratio, phases, and the standard's opinion beside.
+// Meshes of gears: stiffness over the mesh period, contact ratio, phases, and comparison with the standard.
 #pragma once
 
 #include <cmath>
@@ -64,7 +64,7 @@ struct MeshStudy {
 /// of the rim are orders of waves from 0 on.
 void describe(described::Record& record, const MeshStudy& study);
 
-/// Of a gear of either kind in one mesh.
+/// Circles of a gear of either kind in one mesh.
 template <class Tooth>
 GearCircles circles_of(const char* gear, const Tooth& tooth, double working_pressure_angle) {
   return {.gear = gear,
@@ -76,7 +76,7 @@ GearCircles circles_of(const char* gear, const Tooth& tooth, double working_pres
           .at_ring = {}};
 }
 
-/// What is to be said of the standard beside a mesh outside of its range.
+/// Warnings of the standard for a mesh outside of its range.
 void warn_of_standard(const NamedMesh& mesh, std::vector<std::string>& texts);
 
 }  // namespace orbearing::analysis

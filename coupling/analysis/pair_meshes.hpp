@@ -23,10 +23,10 @@ void describe(Visitor& visit, PairOfGears& m) {
   described::members(visit, m, described::block(m.pair, "pair"), described::part(m.material));
 }
 
-/// What of a machine does not fit together.
+/// Inconsistencies of the inputs.
 mechanics::Problems problems(const PairOfGears& machine);
 
-/// What meshes follow from: teeth that give way and have no mass.
+/// A gear pair with compliant teeth and without mass, for its meshes.
 struct ElasticPair {
   gearset::GearPair pair;
   mechanics::Elasticity material;
@@ -38,7 +38,7 @@ void describe(Visitor& visit, ElasticPair& m) {
 
 MeshStudy meshes_of_pair(const ElasticPair& pair);
 
-/// What follows from the inputs.
+/// Results that follow from the inputs.
 struct PairQuantities {
   double centre_distance = 0.0;         // [m]
   double working_pressure_angle = 0.0;  // [rad]

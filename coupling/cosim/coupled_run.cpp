@@ -105,14 +105,15 @@ JointScales scales_of(const Exchange& exchange, const InterfaceValues& a, const 
   return scales;
 }
 
-// Of each joint displacement and velocity where its motion is expected, the force where that is.
+// Vector of the expected values of all joints: displacement and velocity if the motion is expected, the force
+// if that is.
 Eigen::VectorXd packed(const Exchange& exchange, const InterfaceValues& values) {
   std::vector<double> list;
   for_each_expected(exchange, values, [&](double value) { list.push_back(value); });
   return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-// The inverse; writes into `values` what the vector holds.
+// The inverse; writes the vector into `values`.
 void unpack(const Exchange& exchange, const Eigen::VectorXd& vector, InterfaceValues& values) {
   Eigen::Index position = 0;
   for_each_expected(exchange, values, [&](double& value) { value = vector[position++]; });

@@ -1,4 +1,4 @@
-// A co-simulation: sides that move over windows in turn, and what it took.
+// A co-simulation: sides that move over windows in turn, and its cost.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace orbearing::cosim {
 
-// What to expect next of the end of a window, once a pass has given the output of the last expectation.
+// Next expectation for the end of a window, after a pass has given the output of the last expectation.
 
 /// State of an iteration: IQN-ILS, least squares over all outputs of this window and the last ones
 /// [Degroote2009]. Eqs. (9) and (10) of README.md.
@@ -58,7 +58,7 @@ struct CoupledOptions {
   double balanced_change = 1e-9;  // [-]  of the largest force: good enough
 };
 
-/// What a case states of it.
+/// Co-simulation in a case.
 template <class Visitor>
 void describe(Visitor& visit, CoupledOptions& m) {
   using namespace described;
@@ -113,21 +113,21 @@ struct CoupledReport {
   CoupledReport& operator+=(const CoupledReport& later);
 };
 
-/// Goes on from where it stands with each call of advance().
+/// Continues from its present state with each call of advance().
 class CoupledRun {
  public:
   /// The participants must outlive it. Throws std::invalid_argument for options without meaning, or as
   /// connect_by_name().
   CoupledRun(const Sides& sides, const CoupledOptions& options);
 
-  /// All participants to their balance at `time` [s].
+  /// All participants to their equilibrium at `time` [s].
   void initialize(double time);
-  /// From the last values of `history`, where the participants stand already; up to two before them help the
-  /// first windows to their order.
+  /// From the last values of `history`, which is the present state of the participants; up to two before them
+  /// help the first windows to their order.
   void start_from(const InterfaceHistory& history);
 
-  /// Over so many windows. What goes wrong is in the report, which is of this call alone; the run then stands
-  /// at the last good window.
+  /// Over so many windows. Errors are in the report, which is of this call only; the run then is at the last
+  /// good window.
   CoupledReport advance(long windows, const WindowObserver& observer = {});
 
   const InterfaceValues& values() const { return history_.back(); }

@@ -137,7 +137,7 @@ namespace {
 
 // Polynomials of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
 // velocities, the force as the polynomial through `end` and the last order + 1 ends. Eqs. (5) and (6) of
-// coupling/cosim/README.md. Where `end` is what extrapolated() says, these are the extrapolated polynomials.
+// coupling/cosim/README.md. If `end` is the result of extrapolated(), these are the extrapolated polynomials.
 InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
                                   const Window& window) {
   const JointValue& begin = history.back().joints[joint];
@@ -215,8 +215,8 @@ bool Exchange::force_is_expected(std::size_t joint) const {
                      [&](const PortPosition& force) { return force.side > connection.motion.side; });
 }
 
-// Inputs of `side` over a window from `begin` [s] on: the nominal ones, and at each port the half that
-// `polynomial_of(joint, who gives it)` says.
+// Inputs of `side` over a window from `begin` [s] on: the nominal ones, and at each port the half given by
+// `polynomial_of(joint, who gives it)`.
 template <class PolynomialOf>
 std::vector<InputPolynomial> Exchange::inputs_from(std::size_t side, double begin,
                                                    const PolynomialOf& polynomial_of) const {

@@ -1,4 +1,4 @@
-// One pass of all sides over a window: who hears of whom, and when.
+// One pass of all sides over a window: order and times of the exchange.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ namespace orbearing::cosim {
 // Ports: power-conjugate pairs of a motion and a force, at which participants meet, and which of them are one
 // joint.
 //
-// A port is one freedom of a body. The displacement counts from the place where the joint is neither pressed
-// nor turned; the force is that which acts on the body whose motion it is, so that force x velocity [W] is
-// the power that flows into that body. One participant gives the motion and takes the force; all others that
-// are connected give forces, which add up.
+// A port is one freedom of a body. The displacement counts from the position in which the joint is neither
+// pressed nor turned; the force acts on the body whose motion it is, so that force x velocity [W] is the
+// power that flows into that body. One participant gives the motion and takes the force; all others that are
+// connected give forces, which add up.
 
-// What the exchange speaks of belongs to the system in time.
+// Types of the system in time that the exchange uses.
 using system::hermite;
 using system::Input;
 using system::InputPolynomial;
@@ -48,7 +48,7 @@ struct Port {
   std::size_t force = kNone;
 };
 
-/// What an input or output runs through where nothing moves at the ports. A port's velocity adds to it.
+/// Nominal course of an input or output without motion at the ports. A port's velocity adds to it.
 struct Nominal {
   std::size_t position = kNone;
   std::function<InputPolynomial(double time)> polynomial;  // from `time` [s] on
@@ -79,7 +79,7 @@ struct Connection {
 /// name has not one giver of motion and at least one of force, or ports of different kinds.
 std::vector<Connection> connect_by_name(const Sides& sides);
 
-// What is known at the joints, and the polynomials that follow from it.
+// Known values at the joints, and polynomials through them.
 
 // Polynomials through known values: how one participant's outputs become the inputs of another over a window.
 
@@ -116,13 +116,13 @@ struct InterfaceValues {
 /// Accepted values at the ends of windows, the newest last.
 using InterfaceHistory = std::deque<InterfaceValues>;
 
-/// What the values at the end of `window` will be: velocities and forces by the polynomial of degree `order`
-/// (0 to 2, less where the history is short) through the last ends; displacements by integrating the velocity
-/// from the last one. Eqs. (3) and (4) of coupling/cosim/README.md.
+/// Prediction for the end of `window`: velocities and forces by the polynomial of degree `order` (0 to 2,
+/// less where the history is short) through the last ends; displacements by integrating the velocity from the
+/// last one. Eqs. (3) and (4) of coupling/cosim/README.md.
 InterfaceValues extrapolated(const InterfaceHistory& history, int order, const Window& window);
 
 enum class ExchangeOrder {
-  jacobi,        // all at once, each under what is expected of the others
+  jacobi,        // all at once, each under the expected values of the others
   gauss_seidel,  // in the order of the sides, each under the output of those before it
 };
 
@@ -131,7 +131,7 @@ constexpr described::Names<ExchangeOrder, 2> names_of(ExchangeOrder) {
   return {{{ExchangeOrder::gauss_seidel, "gauss-seidel"}, {ExchangeOrder::jacobi, "jacobi"}}};
 }
 
-/// What a pass gave.
+/// Result of a pass.
 struct PassResult {
   InterfaceValues end;    // the sides' output
   InterfaceValues input;  // their input for the end of the window
@@ -143,8 +143,9 @@ class Exchange {
   /// Throws std::invalid_argument as connect_by_name().
   Exchange(const Sides& sides, ExchangeOrder order);
 
-  /// All sides to the balance in which each is under the others' output: `rounds` times in turn, less where
-  /// forces change by less than `allowed_change` of the largest of their kind. Returns the values there.
+  /// All sides to the equilibrium in which each is under the others' output: `rounds` times in turn, less
+  /// where forces change by less than `allowed_change` of the largest of their kind. Returns the values
+  /// there.
   InterfaceValues initialize(double time, int rounds, double allowed_change);
 
   /// Over `window`, under polynomials that end with `expected` where nothing newer is known.

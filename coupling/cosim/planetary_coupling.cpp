@@ -8,7 +8,7 @@ namespace orbearing::cosim {
 
 namespace {
 
-// What a participant takes and gives of a planet, which all call alike but for what stands before the names.
+// Inputs and outputs of a participant for a planet; their names differ only in the prefixes.
 struct PlanetNames {
   std::string joint;   // "planet_1."
   std::string motion;  // before displacement, velocity, angle and speed

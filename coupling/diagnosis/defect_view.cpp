@@ -19,7 +19,7 @@ using constants::two_pi;
 
 constexpr Eigen::Index kReach = 32;  // samples to each side
 
-// Of what the samples hold at `place`, counted in samples.
+// Interpolated signal at `position`, counted in samples.
 double between(const Eigen::ArrayXd& signal, double position) {
   const auto nearest = static_cast<Eigen::Index>(std::floor(position));
   const Eigen::Index from = std::max<Eigen::Index>(0, nearest - kReach + 1);
@@ -33,7 +33,8 @@ double between(const Eigen::ArrayXd& signal, double position) {
   return sum;
 }
 
-// Where the angle is `wanted`: within the samples after `k` by the parabola through three of them.
+// Position at which the angle is `wanted`: within the samples after `k` by the parabola through three of
+// them.
 double position_of(const Eigen::ArrayXd& angle, Eigen::Index k, double wanted) {
   const Eigen::Index middle = std::clamp<Eigen::Index>(k, 1, angle.size() - 2);
   const double slope = 0.5 * (angle[middle + 1] - angle[middle - 1]);
@@ -59,7 +60,7 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
     throw std::invalid_argument(
         "order tracking: found a shaft that is stationary or turns back; required: one that rotates");
   AngleSignal out{.per_revolution = std::ceil(two_pi / steps.minCoeff())};
-  // Interpolation wants neighbours on both sides.
+  // Interpolation requires neighbours on both sides.
   const Eigen::Index edge = std::min(kReach, samples / 4);
   const double begin = turned[edge], end = turned[samples - 1 - edge];
   const double spacing = two_pi / out.per_revolution;
@@ -159,8 +160,8 @@ std::vector<ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
   for (const Scratched one : scratched) {
     const std::optional<double> pass = defect_frequency(one, at.bearing);
     if (!pass) continue;
-    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin
-    // stands.
+    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin is
+    // stationary.
     if (one == Scratched::outer) add(*pass, defect_name(one), at.planet, "planet", 0);
     if (one == Scratched::inner) add(*pass, defect_name(one), 0.0, "", 0);
     if (of_element(one)) {

@@ -14,8 +14,8 @@
 
 namespace orbearing::diagnosis {
 
-// Order tracking: a signal of a machine whose speed changes, sampled anew at even angles of one of its
-// shafts, so that what turns with it stands still in the spectrum.
+// Order tracking: a signal of a machine whose speed changes, sampled anew at equal angles of one of its
+// shafts, so that the orders of that shaft are constant in the spectrum.
 
 /// A signal at even angles.
 struct AngleSignal {
@@ -23,19 +23,19 @@ struct AngleSignal {
   Eigen::ArrayXd value;         // [unit of the signal]
 };
 
-/// `signal`, sampled at even times, at even angles in place of these; `angle` [rad] is that of the shaft at
-/// each sample and grows or falls throughout. Between samples by a sine over its argument under Blackman's
-/// window, which keeps what lies below 0.4 of the rate to 1e-4. As many samples to a revolution as the
-/// slowest part of the signal has in time, so that nothing is folded back. Throws std::invalid_argument where
-/// the shaft stands or turns back.
+/// `signal`, sampled at equal steps of angle instead of time; `angle` [rad] is that of the shaft at each
+/// sample and grows or falls throughout. Between samples by a sine over its argument under Blackman's window,
+/// which keeps what lies below 0.4 of the rate to 1e-4. As many samples to a revolution as the slowest part
+/// of the signal has in time, so that there is no aliasing. Throws std::invalid_argument where the shaft is
+/// stationary or turns back.
 AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle);
 
-/// Lines over orders: revolutions of the shaft take the place of seconds, orders that of hertz.
+/// Lines over orders: revolutions of the shaft replace seconds, orders replace hertz.
 Spectrum order_spectrum(const AngleSignal& signal, Window window);
 
-/// What lines of a scratch are called; without one, those of the balls that pass the load zone.
+/// Name of the lines of a scratch; without one, of the balls that pass the load zone.
 std::string defect_name(bearing::defect::Scratched scratched);
-/// How often a scratch is met [Hz]; none without one.
+/// Frequency [Hz] of contacts with a scratch; none without one.
 std::optional<double> defect_frequency(bearing::defect::Scratched scratched,
                                        const bearing::defect::PassingFrequencies& passing);
 
@@ -67,22 +67,22 @@ struct InstrumentView {
   std::vector<NamedPeak> envelope_peaks;
 };
 
-/// How a signal is read.
+/// Settings of the analysis of a signal.
 struct Reading {
   double rate = 0.0;                      // [Hz]
   std::optional<Band> band;               // of the envelope; none: the most impulsive one
   const Eigen::ArrayXd* angle = nullptr;  // [rad]  of a run-up: spectra are over the turns of that shaft
 };
 
-/// Of the outer ring's acceleration; peaks up to beyond the vibration of `natural_frequency` [Hz] that a
-/// scratch strikes. `turned`: frequencies of the motion.
+/// View of the outer ring's acceleration; peaks up to beyond the vibration of `natural_frequency` [Hz] that a
+/// scratch excites. `turned`: frequencies of the motion.
 InstrumentView bearing_view(const Eigen::ArrayXd& signal, const Reading& reading, double natural_frequency,
                             bearing::defect::Scratched scratched, bool rollers,
                             const bearing::defect::PassingFrequencies& rolling,
                             const bearing::defect::PassingFrequencies& turned);
 
-/// Of a gear set with a scratched planet bearing, on the housing or in the carrier's frame. The envelope is
-/// that of the signal less the lines of the teeth, but in a run-up, whose orders are the carrier's.
+/// View of a gear set with a scratched planet bearing, on the housing or in the carrier's frame. The envelope
+/// is that of the signal less the lines of the teeth, except in a run-up, whose orders are the carrier's.
 InstrumentView planet_view(const Eigen::ArrayXd& signal, const Reading& reading, bool on_housing,
                            const std::vector<bearing::defect::Scratched>& scratched,
                            const study::PlanetFrequencies& rolling, const study::PlanetFrequencies& turned);

@@ -27,8 +27,8 @@ constexpr double kNear = 1.5;        // a resonance at a speed further off by th
 // smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
 constexpr double kSpeedRatio = 1.2;
 constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
-// Of a meeting's speed: a bearing's stiffness falls within less where a roller leaves its load, and the mode
-// with it.
+// Speed step beside a meeting, over its speed [-]: a bearing's stiffness falls within less if a roller loses
+// its load, and the frequency of the mode with it.
 constexpr double kBeside = 1e-4;
 
 // Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
@@ -56,7 +56,7 @@ std::vector<ModesAtSpeed> modes_between(double lowest, double highest, const Mod
   for (double power = first; power <= last; power += 1.0) try {
       points.push_back(modes_at(kRadiansPerSecond * std::pow(kSpeedRatio, power)));
     } catch (const std::runtime_error&) {
-      continue;  // no balance of the bearing there; its point of the sweep, if there is one, says so
+      continue;  // no equilibrium of the bearing there; its point of the sweep, if any, reports it
     }
   return points;
 }
@@ -115,7 +115,7 @@ std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes
       frequency_at((1.0 + kBeside) * meeting.speed) - frequency_at((1.0 - kBeside) * meeting.speed);
   return meeting;
 } catch (const std::runtime_error&) {
-  return std::nullopt;  // no balance of the bearing there
+  return std::nullopt;  // no equilibrium of the bearing there
 }
 
 }  // namespace

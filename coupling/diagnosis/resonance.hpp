@@ -1,4 +1,4 @@
-// Where harmonics of the mesh frequency meet natural frequencies of a gear set.
+// Resonances: intersections of the harmonics of the mesh frequency with natural frequencies of a gear set.
 #pragma once
 
 #include <functional>
@@ -40,18 +40,18 @@ struct Meeting {
   bool excited = false;  // whether the meshes can excite it; Eq. (14) of gearset/dynamics
 };
 
-/// Modes at a speed [rad/s]; throws std::runtime_error where the bearings find no balance.
+/// Modes at a speed [rad/s]; throws std::runtime_error if the bearings have no equilibrium.
 using ModesAt = std::function<ModesAtSpeed(double speed)>;
 
 /// All meetings of harmonics 1 to 4 between the first and the last of `points`, by order, then by speed.
 /// `points` say between which of them a meeting is; it is found by the modes at its own speed. Left out where
 /// these cannot be computed.
-/// @param set whose teeth and places of planets decide what is excited
+/// @param set whose teeth and planet angles determine the excited modes
 std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
                               const ModesAt& modes_at);
 
 /// Meetings that the meshes excite between two speeds [rad/s] and half as much beyond, ascending. Speeds at
-/// which the bearings find no balance are left out.
+/// which the bearings have no equilibrium are left out.
 std::vector<Meeting> resonances(double lowest, double highest, const gearset::PlanetarySet& set,
                                 const ModesAt& modes_at);
 

@@ -177,7 +177,7 @@ std::vector<Peak> peaks_of(const Spectrum& spectrum, const PeakSearch& search) {
   const auto last = std::min(static_cast<Eigen::Index>(search.highest / spectrum.resolution),
                              spectrum.amplitude.size() - 2);
   std::vector<Peak> peaks;
-  // What is left of the mean spreads over the first lines.
+  // The residual mean spreads over the first lines.
   for (Eigen::Index k = kSideLobes; k <= last; ++k)
     if (is_largest_around(spectrum.amplitude, k)) peaks.push_back(refined(spectrum, k));
   std::sort(peaks.begin(), peaks.end(),

@@ -1,6 +1,6 @@
-// Spectra of signals sampled at even times, and envelopes of bands. Nothing here knows a bearing. The
-// transform is that of Eigen (KissFFT), which comes with a package that the program needs anyhow, under a
-// free licence.
+// Spectra of signals sampled at equal times, and envelopes of bands. Nothing here is specific to bearings.
+// The transform is that of Eigen (KissFFT), which comes with a package that the program requires anyhow,
+// under a free licence.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,9 +19,9 @@ struct Spectrum {
 
 enum class Window { none, hann };
 
-/// Of the signal less its mean. Amplitudes are those of lines far apart whatever the window; without one half
-/// the sum of their squares is the mean square of the signal (Parseval), but for the last line of an even
-/// number of samples, which counts twice.
+/// Spectrum of the signal less its mean. Amplitudes are those of lines far apart whatever the window; without
+/// one half the sum of their squares is the mean square of the signal (Parseval), but for the last line of an
+/// even number of samples, which counts twice.
 Spectrum spectrum_of(const Eigen::ArrayXd& signal, double rate, Window window);
 
 /// Frequencies of a band [Hz].
@@ -48,8 +48,8 @@ double kurtosis_of(const Eigen::ArrayXd& signal, double rate, const Band& band);
 /// hundredth of the power.
 KurtosisOfBand most_impulsive_band(const Eigen::ArrayXd& signal, double rate, double least_width);
 
-/// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of
-/// all of them loses these alone.
+/// `signal` without its lines at `frequencies` [Hz] and their neighbours. A signal of whole periods of
+/// all of them loses only these.
 Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
                              const std::vector<double>& frequencies);
 
@@ -67,7 +67,7 @@ struct PeakSearch {
   std::size_t most = 24;
 };
 
-/// Largest first. Of a spectrum by Window::hann: what is less than four lines from a larger one is its side
+/// Largest first. In a spectrum by Window::hann, a peak less than four lines from a larger one is its side
 /// lobe.
 std::vector<Peak> peaks_of(const Spectrum& spectrum, const PeakSearch& search);
 

@@ -227,7 +227,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component instance, fmi2StatusKind kind, fmi
   return guarded(instance, __func__, [&](Instance&) {
     require_position(value, "value");
     if (kind != fmi2Terminated) no_status();
-    *value = fmi2False;  // an instance ends when its importer says so
+    *value = fmi2False;  // an instance ends at the request of its importer
   });
 }
 fmi2Status fmi2GetStringStatus(fmi2Component instance, fmi2StatusKind, fmi2String*) {

@@ -1,9 +1,9 @@
 // The C interface of FMI 2.0 for co-simulation: types, functions and their pointer types, after the standard
 // [FMI2]. The functions of model exchange are not among them.
 //
-// The names are those of the standard, which gives the meaning of each function; here stand the signatures
-// alone. A library that is an FMU defines them, an importer looks them up by name: ORBEARING_FMI2_FUNCTIONS
-// lists all of them.
+// The names are those of the standard, which gives the meaning of each function; here are only the
+// signatures. A library that is an FMU defines them, an importer looks them up by name:
+// ORBEARING_FMI2_FUNCTIONS lists all of them.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ void require_equal(size_t found, size_t required) {
                   "; required: " + std::to_string(required) + ", since all variables are scalars");
 }
 
-// What an output depends on in step mode, or an output of initialization mode.
+// Inputs on which an output depends in step mode, or in initialization mode.
 const std::vector<size_t>& dependencies_of(const Instance& it, fmi3ValueReference reference) {
   const Variable& one = it.variable(reference);
   if (one.role != Role::output) throw Refused(one.name + ": found as a dependent; required: an output");

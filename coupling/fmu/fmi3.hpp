@@ -1,8 +1,8 @@
 // The C interface of FMI 3.0: types, functions and their pointer types, after the standard [FMI3].
 //
-// The names are those of the standard, which gives the meaning of each function; here stand the signatures
-// alone. A library that is an FMU defines them, an importer looks them up by name: ORBEARING_FMI3_FUNCTIONS
-// lists those that our FMUs carry out, the other lists those that they refuse.
+// The names are those of the standard, which gives the meaning of each function; here are only the
+// signatures. A library that is an FMU defines them, an importer looks them up by name:
+// ORBEARING_FMI3_FUNCTIONS lists those that our FMUs carry out, the other lists those that they refuse.
 #pragma once
 
 #include <cstddef>

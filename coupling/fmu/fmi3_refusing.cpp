@@ -1,6 +1,6 @@
 // Functions of FMI 3.0 for what these FMUs have not: other types of variables, clocks, events, configuration,
 // derivatives by time, model exchange and scheduled execution. They exist since importers look all of them
-// up; each says what is missing.
+// up; each reports what is missing.
 #include "coupling/fmu/fmi3.hpp"
 #include "coupling/fmu/guard.hpp"
 
@@ -31,7 +31,7 @@ constexpr const char* kNoExchange = "found a call of model exchange; required: c
 
 extern "C" {
 
-// Of what they are given they use the instance and the length of a list.
+// The functions use only the instance and the length of a list.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define ORBEARING_ONLY_EMPTY(result, name, arguments) \

@@ -11,7 +11,7 @@ namespace orbearing::fmu {
 /// Carries `body` out on `component`, an Instance, and returns how that went.
 template <class Body>
 Status guarded(void* component, const char* function, Body&& body) noexcept {
-  if (component == nullptr) return Status::error;  // nobody to tell
+  if (component == nullptr) return Status::error;  // no receiver of a message
   Instance& instance = *static_cast<Instance*>(component);
   Status status = Status::error;
   try {

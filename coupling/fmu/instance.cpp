@@ -176,7 +176,7 @@ void Instance::log(Status status, const char* function, const char* text) const 
         std::find(categories_.begin(), categories_.end(), category) == categories_.end())
       return;
     log_(status, category, (std::string(function) + ": " + text).c_str());
-  } catch (...) {  // no memory for the words: the status alone has to do
+  } catch (...) {  // no memory for the text: only the status is returned
   }
 }
 
@@ -412,7 +412,7 @@ void Instance::require_step(double point, double size) const {
                   "; required: not beyond the stop time, " + seconds(state_.stop));
 }
 
-// Of half the length, half of that and so on; what a trial costs halves too. None: 0.
+// Tries half of the length, half of that and so on; the cost of a trial is halved too. None accepted: 0.
 double Instance::accepted_length(double length, const std::vector<system::InputPolynomial>& inputs) {
   constexpr int kHalvings = 20;
   system::SavedState before;
@@ -427,7 +427,7 @@ double Instance::accepted_length(double length, const std::vector<system::InputP
       participant().restore(before);
       if (std::all_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
         return length;
-    } catch (const std::exception&) {  // it stands at `before` then
+    } catch (const std::exception&) {  // its state is `before` then
     }
   }
   return 0.0;
@@ -467,7 +467,7 @@ void Instance::step(double point, double size) {
   outputs_.reset();
 }
 
-// Of unknown i by known k.
+// Calls `function` for the slope of each unknown i by each known k.
 template <class Function>
 void Instance::for_each_slope(References unknowns, References knowns, const Function& function) {
   for (std::size_t k = 0; k < knowns.number; ++k) {

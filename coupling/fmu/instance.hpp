@@ -37,7 +37,7 @@ struct InstanceState {
   system::SavedState participant;
 };
 
-/// How many numbers of each kind a model has.
+/// Number of values of each kind in a model.
 struct StateSizes {
   std::size_t parameters = 0;
   std::size_t inputs = 0;
@@ -50,7 +50,7 @@ std::string bytes_of(const InstanceState& state, std::uint64_t model);
 /// Throws Refused with the reason where `bytes` are not a whole state of this model and version.
 InstanceState state_from(const char* bytes, std::size_t size, std::uint64_t model, const StateSizes& sizes);
 
-/// Where the messages go: status, category, text.
+/// Receiver of messages: status, category, text.
 using Log = std::function<void(Status, const char*, const char*)>;
 
 /// Start and end of a run; no end: open.
@@ -82,7 +82,7 @@ class Instance {
   void reset();
 
   void get(References references, double* values);
-  /// Of integers as either version of the interface has them.
+  /// Values of integers, in the form that both versions of the interface use.
   void get_whole(References references, std::int32_t* values);
   void set(References references, const double* values);
   /// Derivatives of inputs by time for the next step, of order 1 or 2.

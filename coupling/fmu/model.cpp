@@ -12,7 +12,7 @@ using system::DrivenBearingSetup;
 using system::DrivenGears;
 using system::DrivenGearsSetup;
 
-// The result of `call` for the setup that `numbers` are of, and what stands behind it.
+// The result of `call` for the setup in `numbers` and the type of its model.
 template <class Call>
 auto of_model(const NumberTable& numbers, const Call& call) {
   if (numbers.model == "bearing")

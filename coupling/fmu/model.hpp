@@ -32,9 +32,9 @@ ModelFacts facts_of(const NumberTable& numbers);
 enum class Role { time, parameter, constant, input, output };
 
 struct Variable {
-  std::uint32_t reference = 0;  // place in the table
+  std::uint32_t reference = 0;  // position in the table
   Role role = Role::time;
-  std::size_t index = 0;  // place among those of its role in the facts
+  std::size_t index = 0;  // position among those of its role in the facts
   std::string name;
   std::string unit;
   std::string meaning;
@@ -47,7 +47,7 @@ struct Variable {
 /// Time, parameters, constants, inputs, outputs.
 std::vector<Variable> variables_of(const ModelFacts& facts);
 
-/// Of the first variable of `role`; those of one role follow each other.
+/// Reference of the first variable of `role`; those of one role follow each other.
 std::uint32_t first_reference(const std::vector<Variable>& variables, Role role);
 
 /// The model as one word, "{8-4-4-4-12}" in hexadecimal digits: a hash of variables, numbers and version.

@@ -20,7 +20,7 @@ inline std::string seconds(double value, int digits = 15) {
 /// As both versions of FMI number them.
 enum class Status { ok, warning, discard, error, fatal };
 
-/// Discard: the step could not be computed, the instance stands where it stood. Error: the call was wrong.
+/// Discard: the step could not be computed, the instance is unchanged. Error: the call was wrong.
 struct Refused : std::runtime_error {
   Refused(Status how, const std::string& reason) : std::runtime_error(reason), status(how) {}
   explicit Refused(const std::string& reason) : Refused(Status::error, reason) {}

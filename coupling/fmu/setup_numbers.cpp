@@ -48,7 +48,7 @@ std::vector<double*> members_of(Table& p) {
                               " numbers; required: those of a known kind");
 }
 
-// The variant's alternative at a place known at run time, empty but for the length of a table.
+// The variant's alternative at an index known at run time, empty but for the length of a table.
 template <std::size_t I = 0>
 Profile empty_profile(std::size_t position, std::size_t numbers) {
   if constexpr (I < std::variant_size_v<Profile>) {

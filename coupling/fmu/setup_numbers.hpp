@@ -1,4 +1,4 @@
-// Setups as tables of numbers and back, by the rows beside their structures (mechanics/described.hpp).
+// Setups as tables of numbers and back, by the rows of their structures (mechanics/described.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,13 +17,13 @@
 
 namespace orbearing::fmu {
 
-/// What is known of a variable of an FMU, whatever it belongs to.
+/// Facts of a variable of an FMU of any kind.
 struct FieldFacts {
   std::string name;          // as the key of a case, where it has one
   std::string unit;          // SI; "1" for ratios
   std::string meaning;       // one sentence
   described::Range range{};  // [unit]  as of a case
-  double none = 0.0;         // [unit]  allowed too: the value of a member that nobody states
+  double none = 0.0;         // [unit]  allowed too: the value of a member that is not stated
 };
 
 FieldFacts field_facts(const described::Facts& facts, double none);
@@ -33,7 +33,7 @@ void require_allowed(const FieldFacts& facts, double value);
 
 std::vector<double> to_numbers(const std::vector<double>& list);
 std::vector<double> to_numbers(const std::vector<bearing::RaceHarmonic>& form);
-/// Place of the kind in the variant, then its members; a table as scale, places, drops.
+/// Index of the kind in the variant, then its members; a table as scale, positions, drops.
 std::vector<double> to_numbers(const bearing::profile::Profile& profile);
 std::vector<double> to_numbers(const gearset::PeriodicCurve& curve);
 std::vector<double> to_numbers(const std::shared_ptr<const gearset::LoadedTeeth>& teeth);  // none: no numbers

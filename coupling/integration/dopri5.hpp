@@ -87,7 +87,7 @@ IntegrationReport reported(const RightHandSide& derivative, const Eigen::VectorX
   return report;
 }
 
-/// Dopri5 in progress, started as often as its user wants; shows the state at the output times.
+/// Dopri5 in progress, started as often as its user requires; shows the state at the output times.
 class DenseRun {
  public:
   DenseRun(const OutputTimes& output, const Observer& observe, Run& run, const ControlledDopri5& controlled,
@@ -110,7 +110,7 @@ class DenseRun {
     }
   }
   double last_step() const { return stepper_.current_time() - stepper_.previous_time(); }
-  /// Of the output times up to `time` that were not shown yet.
+  /// Shows the output times up to `time` that were not shown yet.
   void show_until(double time) {
     for (; sample_ <= output_.samples && output_.time(sample_) <= time; ++sample_) {
       if (!observe_) continue;

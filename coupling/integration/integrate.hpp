@@ -1,4 +1,4 @@
-// Integration of ordinary differential equations x' = f(t, x): the one place where an integrator runs.
+// Integration of ordinary differential equations x' = f(t, x): the only file in which an integrator runs.
 #pragma once
 
 #include "coupling/integration/integration_options.hpp"

@@ -31,7 +31,7 @@ class PiecesRun : public DenseRun {
         system_{system},
         wanted_step_(options.step) {}
 
-  /// That the error allows, whatever ends of pieces cut short [s].
+  /// Step that the error allows, without the cut at the ends of pieces [s].
   double next_step() const { return wanted_step_; }
 
   /// From `begin` to `end`; false where the run was given up.
@@ -65,7 +65,7 @@ class PiecesRun : public DenseRun {
     going_on_ = true;
   }
 
-  // A step made short to end somewhere says little of the step that the error allows, if it was not refused.
+  // A step cut short does not show the step that the error allows, if it was not refused.
   void take_over(Eigen::VectorXd& x) {
     x = view(stepper_.current_state());
     const double suggested = stepper_.current_time_step();
@@ -77,7 +77,7 @@ class PiecesRun : public DenseRun {
   PieceSystem system_;
   double wanted_step_;      // [s]  that the error allows
   double attempted_ = 0.0;  // [s]
-  bool going_on_ = false;   // the stepper stands where the last step ended
+  bool going_on_ = false;   // the stepper is at the end of the last step
   State start_;
 };
 

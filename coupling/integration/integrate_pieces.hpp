@@ -6,12 +6,12 @@
 
 namespace orbearing::integration {
 
-/// Where the right-hand side jumps: time [s] of jump `index`, growing with the index from 0 on; beyond the
-/// last one infinity. Jumps before the start of the run are passed over.
+/// Jumps of the right-hand side: time [s] of jump `index`, growing with the index from 0 on; beyond the last
+/// one infinity. Jumps before the start of the run are passed over.
 struct Jumps {
   std::function<double(long index)> time;
-  /// [s] The right-hand side is asked for no time nearer to a jump than this, so that it answers for the
-  /// right side of it; it shall change little over this time.
+  /// [s] The right-hand side is evaluated at no time nearer to a jump than this, so that it is on the correct
+  /// side of it; it must change little over this time.
   double margin = 0.0;
 };
 
@@ -21,8 +21,7 @@ IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::Vecto
                                    const OutputTimes& output, const Jumps& jumps,
                                    const IntegrationOptions& options, const Observer& observe);
 
-// What the integrator must know of a planetary set: where its right-hand side jumps, and which errors of a
-// step it bears.
+// Data of a planetary set for the integrator: jumps of its right-hand side, and allowed errors of a step.
 
 /// Jumps of the right-hand side of `model`, for integrate_pieces. The first are those of the mesh period in
 /// which `from` [s] lies, so that windows late in a run need not pass over all that went before.

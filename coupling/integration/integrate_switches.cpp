@@ -10,7 +10,7 @@ namespace {
 
 using namespace detail;
 
-// Where a switch changes its sign within a step.
+// Time within a step at which a switch changes its sign.
 struct Crossing {
   double time = 0.0;  // [s]
   Eigen::Index which = 0;

@@ -6,7 +6,7 @@
 
 namespace orbearing::integration {
 
-/// What changes the form.
+/// Switches that change the form of the equations.
 struct Switches {
   Eigen::Index count = 0;
   /// Writes a value for each switch.

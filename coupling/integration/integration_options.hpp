@@ -1,4 +1,4 @@
-// What is asked of an integration of x' = f(t, x), and what it reports.
+// Options of an integration of x' = f(t, x), and its report.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,7 +47,7 @@ struct IntegrationOptions {
   double most_seconds = 3600.0;   // [s]  of wall time before the run is given up
 };
 
-/// How an integration ended.
+/// Result of an integration.
 struct IntegrationReport {
   bool completed = false;
   double reached = 0.0;        // [s]
@@ -55,7 +55,7 @@ struct IntegrationReport {
   long rejected = 0;           // [-]
   long rhs_calls = 0;          // [-]
   double smallest_step = 0.0;  // [s]  accepted
-  double next_step = 0.0;      // [s]  that the error allows from here; integrate_pieces() alone
+  double next_step = 0.0;      // [s]  that the error allows from here; integrate_pieces() only
   double wall_seconds = 0.0;   // [s]
   std::string message;         // empty when completed
 };

@@ -25,7 +25,7 @@ void second_stage(const double* k1, double g, const double* time_slope, double* 
 using Eight = double __attribute__((vector_size(64)));
 using EightBits = long long __attribute__((vector_size(64)));
 
-// Inlined, so that it takes the width of the function that asks for it.
+// Inlined, so that it has the register width of the calling function.
 template <int kStages>
 [[gnu::always_inline]] inline double finish_stages(const double* x, double h,
                                                    const double* const (&k)[kStages],

@@ -18,7 +18,7 @@
 
 namespace orbearing::integration {
 
-/// What becomes of an attempted step, in Odeint's terms.
+/// Result of an attempted step, in Odeint's terms.
 using StepResult = boost::numeric::odeint::controlled_step_result;
 inline constexpr StepResult kAccepted = boost::numeric::odeint::success;
 inline constexpr StepResult kRefused = boost::numeric::odeint::fail;
@@ -30,7 +30,7 @@ void second_stage(const double* k1, double g, const double* time_slope, double* 
 // eight.
 double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
               double* next, std::size_t n);
-// That share alone.
+// Only that share.
 double largest_share(double h, const double* k1, const double* k2, const double* weight, std::size_t n);
 
 // Sums of arrays, each with its factor.
@@ -48,7 +48,7 @@ double finish(const double* x, double h, const double* const (&k)[5], const doub
               const double (&error)[5], const double* weight, double* next, std::size_t n);
 }  // namespace detail
 
-/// What the stages of a step work with: rate and its slope by time at its beginning, a right-hand side, the
+/// Arrays for the stages of a step: rate and its slope by time at its beginning, a right-hand side, the
 /// stages, the state after the step.
 template <int kStages>
 struct StageArrays {
@@ -60,7 +60,7 @@ struct StageArrays {
   std::array<Array, kStages> k;
 };
 
-/// Whether a system says how its rate changes by time alone.
+/// Whether a system gives the derivative of its rate by time only.
 template <class System>
 concept kHasTimeSlope = requires(System& system, double* rate) {
   system.time_slope(0.0, rate);
@@ -69,7 +69,7 @@ concept kHasTimeSlope = requires(System& system, double* rate) {
 /// Controlled stepper in the sense of Odeint, by `Formula`. `System` offers
 ///   linearise(t, x, dx)   rate dx at x, and keeps the Jacobian J there
 ///   derivative(t, x, dx)
-///   time_slope(t, dx)     slope of the rate by time alone; none: it is left out, order 2 does not ask for it
+///   time_slope(t, dx)     slope of the rate by time only; none: left out, order 2 does not require it
 ///   bool factor(g), solve(rhs, k)   k = (1 - g J)^-1 rhs
 /// on plain arrays, whose length is a multiple of eight. `allowed` holds the allowed error of each variable
 /// in one step.

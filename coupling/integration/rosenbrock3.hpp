@@ -1,6 +1,6 @@
 // The linearly implicit stepper of order 3.
 //
-// ROS3 of [Sandu1997], L-stable, with one right-hand side beside that of the linearisation, gamma = 0.4359:
+// ROS3 of [Sandu1997], L-stable, with one right-hand side besides that of the linearisation, gamma = 0.4359:
 //   (1 - gamma h J) k1 = f(t, x) + gamma h f_t
 //   (1 - gamma h J) k2 = f(t + gamma h, x + gamma h k1) + c21 k1 + gamma2 h f_t
 //   (1 - gamma h J) k3 = f(t + gamma h, x + gamma h k1) + c31 k1 + c32 k2 + gamma3 h f_t

@@ -1,4 +1,4 @@
-// The linearly implicit stepper of order 4, which asks for one right-hand side beside that of the
+// The linearly implicit stepper of order 4. It requires one right-hand side besides that of the
 // linearisation, as those of order 2 and 3 do.
 //
 // With M = (1 - gamma h J)^-1, gamma = 1/4, f and f_t the rate and its slope by time where the step begins:
@@ -11,18 +11,18 @@
 // linearised equations. Since gamma h J ki + gamma h f_t = ki - k(i-1), r is what the true rate has beyond
 // the linear one at its argument; it is of order h^2.
 //
-// Of linear equations the step is the rational approximation of order 4 whose pole 1/gamma is fivefold,
-// L-stable: a vibration of w h = 0.3 loses less than a millionth of its height in a period, with ROS3 half
+// For linear equations the step is the rational approximation of order 4 whose pole 1/gamma is fivefold,
+// L-stable: a vibration of w h = 0.3 loses less than a millionth of its amplitude in a period, with ROS3 half
 // a per cent.
 //
 // r enters with b h M = b h (1 + h J/4 ...), b = 16/27, from an argument at c = 3/4 that is the solution to
-// order 3 (and for large h J the linear one's limit). That meets the conditions of order 4 in which
-// derivatives of f by state and time stand:
+// order 3 (and for large h J the linear one's limit). That meets the conditions of order 4 that contain
+// derivatives of f by state and time:
 //   f''     b c^2 = 1/3
 //   J f''   b c^2/4 = 1/12
 //   f''(J)  b c c^2/2 = 1/8
 //   f'''    b c^3 = 1/4
-// It needs the true Jacobian: of slopes that J lacks it takes b c = 4/9 for 1/2.
+// It requires the true Jacobian: for slopes that J lacks, b c is 4/9 instead of 1/2.
 //
 // Error estimate h/4 (k2 - 3 k3 + 3 k4 - k5): the last stage left out, the whole of what r adds among it.
 #pragma once

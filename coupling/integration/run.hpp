@@ -1,4 +1,4 @@
-// What all integrators share: how far they may go and what they report.
+// Common parts of all integrators: limits of a run and its report.
 #pragma once
 
 #include <algorithm>

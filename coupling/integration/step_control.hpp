@@ -1,4 +1,4 @@
-// How long the next step of a linearly implicit stepper is, from the error of the last.
+// Length of the next step of a linearly implicit stepper, from the error of the last.
 #pragma once
 
 #include <algorithm>
@@ -6,9 +6,10 @@
 
 namespace orbearing::integration {
 
-/// What a step's length follows: the error of the last step alone, or also that of the one before, which
-/// tells whether errors rise (proportional and integral control). The latter is for motion without impacts,
-/// where one error says something of the next; steps then may grow faster, and fewer are refused.
+/// Rule for the length of a step: by the error of the last step only, or also by that of the one before,
+/// which shows whether errors rise (proportional and integral control). The latter is for motion without
+/// impacts, where the error of one step predicts that of the next; steps then may grow faster, and fewer are
+/// refused.
 enum class StepRule { last_error, two_errors };
 
 /// Step lengths 0.85 h / error^(1/p) for a stepper of order p, or 0.85 h before^(0.2/p) / error^(0.6/p) by
@@ -20,8 +21,8 @@ class StepControl {
   explicit StepControl(double longest_step, int order = 2, StepRule rule = StepRule::last_error)
       : longest_step_(longest_step), order_(order), rule_(rule) {}
 
-  /// The step to try after one of `h` was accepted [same unit]. One that was shorter than asked for, at the
-  /// end of a window, says nothing of whether errors rise.
+  /// The step to try after one of `h` was accepted [same unit]. One that was shorter than intended, at the
+  /// end of a window, does not show whether errors rise.
   double after_acceptance(double h, double error) {
     const double most = refused_ ? 1.0 : rule_ == StepRule::last_error ? kMostGrowth : kMostGrowthByTwo;
     refused_ = false;
@@ -59,7 +60,7 @@ class StepControl {
   static constexpr double kSafety = 0.85;
   static constexpr double kLeastShare = 0.2;
   static constexpr double kMostGrowth = 1.25;
-  static constexpr double kCut = 0.99;         // of the step asked for
+  static constexpr double kCut = 0.99;         // of the intended step
   static constexpr double kLeastError = 1e-4;  // smaller ones would not let a step grow faster
   // Powers of the last error and of the one before, over the order: of all that were tried those with fewest
   // refusals that cost no time (README.md).

@@ -11,21 +11,21 @@
 
 namespace orbearing::integration {
 
-/// How far a window may be cut.
+/// Limits of the steps in a window.
 struct WindowLimits {
   double smallest_step = 1e-13;  // [s]
   long most_steps = 10'000'000;  // [-]  attempts
   double stretch = 1.2;          // [-]  of a step that reaches the end, to spare one short step more
 };
 
-/// Where no step was small enough, or the state is not finite.
+/// Thrown if no step was small enough, or the state is not finite.
 struct NoStep : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// One accepted step of `x` from `time` [s], not beyond the window's `end` [s]. `step` [s] is that to try
 /// first and becomes that to try next; where the window's end cuts the step short, it stays. `attempts`
-/// counts on. `system` offers what the stepper asks of it (rosenbrock2.hpp), and
+/// counts on. `system` offers what the stepper requires (rosenbrock2.hpp), and
 ///   begun(x)       after the linearisation at x, from which the step begins
 ///   stepped(t, h)  after a step of length h from t
 ///   settle(t, x)   then: puts into x what is known exactly

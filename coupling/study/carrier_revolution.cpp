@@ -36,7 +36,7 @@ void require_length(const std::vector<double>& list, std::size_t length, const s
                               " values; required: " + (may_lack ? "none or " : "") + std::to_string(length));
 }
 
-// Of a list; a file of it is checked where it is read, line by line.
+// Checks a list; a file of it is checked line by line as it is read.
 void require_housing(const spatial::CarrierMounting& mounting) {
   if (mounting.housing.empty()) return;
   const std::size_t rows = spatial::kSeatDirections * mounting.positions.size();
@@ -85,10 +85,10 @@ spatial::SpatialLoad spatial_load(const gearset::dynamics::Operation& operation,
   return load;
 }
 
-// A row of rollers holds its planet against tilting: springs along the rollers take the place of one.
+// A row of rollers holds its planet against tilting: several springs along the rollers replace one.
 constexpr int kRowParts = 5;
 
-// Of the row on the bore of its planet, outward and ahead.
+// Load of the row on the bore of its planet, outward and ahead.
 Vector2d row_load(const spatial::SpatialBalance& at, Index row, Index planet) {
   const auto sum = [&](const Eigen::MatrixXd& parts) {
     return parts.col(planet).segment(row * kRowParts, kRowParts).sum();
@@ -100,8 +100,8 @@ double row_position(const spatial::SpatialSet& set, Index row) {
   return set.planet_bearings[static_cast<std::size_t>(row * kRowParts + kRowParts / 2)].position;
 }
 
-// Angles of the carrier over a revolution. Planets that are alike and stand at equal steps meet the same
-// loads one after another: then one step of them tells the whole.
+// Angles of the carrier over a revolution. Equal planets at equal steps have the same loads one after
+// another: then one step between them is sufficient.
 struct Angles {
   Index all = 0;       // of the revolution
   Index computed = 0;  // from the first on
@@ -120,8 +120,8 @@ Angles angles_of(const spatial::SpatialSet& set, bool even, const RevolutionOpti
   return {planets * step, alike ? step : planets * step, alike ? step : 0};
 }
 
-// What planets meet over the revolution: columns of planets and their rows, or of one planet where all are
-// alike, by its place in the revolution.
+// Loads and tilts of planets over the revolution: columns of planets and their rows, or of one planet if all
+// are equal, by its position in the revolution.
 struct History {
   std::vector<Eigen::Matrix2Xd> load;  // [N]    (rows of planets)  (2, angles)  of the rows on the bore
   std::vector<Eigen::Matrix2Xd> tilt;  // [rad]  (planets)  (2, angles)
@@ -164,10 +164,10 @@ class Revolution {
       result_.carrier_bearings.push_back({bearing.position, std::numeric_limits<double>::infinity(), 0.0});
   }
 
-  // What one angle adds.
+  // Contribution of one angle.
   void add(const spatial::SpatialBalance& at, Index i) {
     for (Index p = 0; p < planets_; ++p) {
-      // Where the first planet stands as this one does now.
+      // Column in which the first planet is at the present angle of this one.
       const Index column = angles_.step > 0 ? (i + p * angles_.step) % angles_.all : i;
       const std::size_t planet = angles_.step > 0 ? 0 : static_cast<std::size_t>(p);
       history_.tilt[planet].col(column) = at.planet_tilt.col(p);
@@ -405,7 +405,7 @@ bool pin_links_rows(const PlanetaryDrivetrain& drivetrain) {
          (drivetrain.seats.ends != bearing::PinEnds::both || drivetrain.bearings_per_planet > 2);
 }
 
-// A pin links the rows on it: rows in the middle of one that both walls hold give way further, and carry
+// A pin links the rows on it: rows in the middle of one that both walls hold deflect further, and carry
 // less. Its compliance is that of the beam, in proportion so that its mean over the rows is that of
 // support.stiffness, which the springs of the rows contain.
 void put_pins(const PlanetaryDrivetrain& drivetrain, spatial::SpatialSet& set) {
@@ -513,7 +513,7 @@ CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
   revolution.angle.resize(angles.all);
   for (Index i = 0; i < angles.all; ++i) revolution.angle[i] = angles.at(i);
   revolution.load.resize(angles.all, turned.planets() * rows);
-  PlanetaryDrivetrain tilted = drivetrain;  // by this balance, whatever else a case says of the planets' tilt
+  PlanetaryDrivetrain tilted = drivetrain;  // by this equilibrium, for any setting of the planets' tilt
   tilted.seats = {};
   tilted.misalignment = {};
   const BearingDuty even = bearing_duty(tilted, geometry);

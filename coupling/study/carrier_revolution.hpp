@@ -1,5 +1,5 @@
-// What the planet bearings carry over a revolution of the carrier, which its own bearings hold in the
-// housing: gravity turns once a revolution in its frame, and clearance lets it sag and tilt.
+// Loads of the planet bearings over a revolution of the carrier on its own bearings in the housing: gravity
+// turns once a revolution in its frame, and clearance lets it sag and tilt.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ class Record;
 
 namespace orbearing::study {
 
-/// How finely a revolution is computed.
+/// Resolution of a revolution.
 struct RevolutionOptions {
   int angles = 72;    // of the carrier; at least, so that planets at equal steps meet the same ones
   int slices = 40;    // of the face width
@@ -96,15 +96,15 @@ gearset::spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                                          const gearset::dynamics::SetParameters& bodies,
                                          double base_helix_angle);
 
-/// The same with bodies that move. Where their lengths are not known, sun, ring and planets are discs of the
-/// face width, and so is the carrier; what holds the ring stands evenly around its base circle.
+/// The same with bodies that move. If their lengths are not known, sun, ring and planets are discs of the
+/// face width, and so is the carrier; the support of the ring is uniform around its base circle.
 gearset::spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain,
                                        const gearset::dynamics::SetParameters& bodies,
                                        double base_helix_angle);
 
-/// Of a drivetrain with a carrier_mounting and a gear_set. Rollers are computed under the load and the tilt
-/// of their bearing at each of some angles.
-/// @throws std::runtime_error where no balance is found
+/// Loads of a drivetrain with a carrier_mounting and a gear_set. Rollers are computed under the load and the
+/// tilt of their bearing at each of some angles.
+/// @throws std::runtime_error where no equilibrium is found
 CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
                                      const DrivetrainGeometry& geometry,
                                      const RevolutionOptions& options = {});

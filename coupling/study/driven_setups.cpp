@@ -78,7 +78,7 @@ system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrai
 
 namespace {
 
-// Of all planets: each with its own tilt and form of the race.
+// Seats of all planets: each with its own tilt and form of the race.
 std::vector<system::BearingSeat> seats_of_unlike(const PlanetaryDrivetrain& drivetrain,
                                                  const DrivetrainGeometry& geometry) {
   std::vector<system::BearingSeat> seats;

@@ -1,4 +1,4 @@
-// From a drivetrain to its gear set and its planet bearings as participants that others drive.
+// From a drivetrain to its gear set and its planet bearings as driven participants.
 #pragma once
 
 #include "coupling/study/drivetrain.hpp"
@@ -6,8 +6,8 @@
 
 namespace orbearing::study {
 
-/// One bearing of one planet. The planet's mass belongs to the gears; the bearing knows its share only for
-/// the damping of the pin's support.
+/// One bearing of one planet. The planet's mass belongs to the gears; the bearing uses its share only for the
+/// damping of the pin's support.
 system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
                                                 const DrivetrainGeometry& geometry);
 

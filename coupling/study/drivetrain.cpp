@@ -15,7 +15,7 @@ namespace orbearing::study {
 
 namespace {
 
-// Of a stepped planet, of the gear with the thinner rim: its bearings may be beneath either.
+// With a stepped planet, ratio of the gear with the thinner rim: its bearings may be beneath either.
 double rim_over_module(const PlanetaryDrivetrain& drivetrain, const gearset::WorkingGeometry& gears) {
   const double bore = 0.5 * drivetrain.bearing.outer.seat_diameter;
   if (!(bore > 0.0)) return std::numeric_limits<double>::quiet_NaN();
@@ -135,8 +135,8 @@ Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
 }
 
-// Of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one; with wave
-// 0 the whole ring moves outward. Eq. (17) of bearing/motion/README.md.
+// Masses of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one;
+// with wave 0 the whole ring moves outward. Eq. (17) of bearing/motion/README.md.
 Eigen::ArrayXd wave_masses(double ring_mass, Eigen::Index orders) {
   Eigen::ArrayXd mass = Eigen::ArrayXd::Constant(orders, ring_mass);
   for (Eigen::Index n = 1; n < orders; ++n) mass[n] *= 0.5 * (1.0 + 1.0 / static_cast<double>(n * n));

@@ -58,7 +58,7 @@ void describe(Visitor& visit, RunUp& m) {
                  .where = {"input.acceleration"}}));
 }
 
-/// How the bore stands on the pin. Affects bearings cut into laminae only.
+/// Misalignment of the bore on the pin. Affects bearings cut into laminae only.
 struct Misalignment {
   double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
   double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
@@ -85,7 +85,7 @@ void describe(Visitor& visit, Misalignment& m) {
             angle));
 }
 
-/// How the planet around its bearings is taken.
+/// Model of the planet around its bearings.
 enum class PlanetRim {
   rigid,    // as published models have it
   elastic,  // rim and outer rings bend between rollers and teeth
@@ -95,17 +95,17 @@ constexpr described::Names<PlanetRim, 2> names_of(PlanetRim) {
   return {{{PlanetRim::rigid, "rigid"}, {PlanetRim::elastic, "elastic"}}};
 }
 
-/// Where the tilt of a planet on its pin comes from.
+/// Origin of the tilt of a planet on its pin.
 enum class TiltState {
   stated,    // by Misalignment
-  computed,  // from the balance of all bearings of a planet on their pin
+  computed,  // from the equilibrium of all bearings of a planet on their pin
 };
 
 constexpr described::Names<TiltState, 2> names_of(TiltState) {
   return {{{TiltState::stated, "stated"}, {TiltState::computed, "computed"}}};
 }
 
-/// How the bearings of a planet sit on their pin. Counts where the tilt is computed.
+/// Seats of the bearings of a planet on their pin. Used if the tilt is computed.
 struct PinSeats {
   TiltState tilt = TiltState::stated;
   std::vector<double>
@@ -116,7 +116,7 @@ struct PinSeats {
   std::optional<double> diameter;  // [m]  of a flexpin, within its sleeve; none: the bore of the bearing
   std::optional<double>
       carrier_twist;                // [N m/rad]  of one wall of the carrier against the other; none: rigid
-  double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end stands outward
+  double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end is outward
   double tangential_inclination = 0.0;  // [rad]  its positive end leads
 };
 
@@ -184,30 +184,30 @@ void describe(Visitor& visit, PinSeats& m) {
       inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
 
-/// What the lives by the standards rest on beside the loads of a bearing.
+/// Data for the lives by the standards besides the loads of a bearing.
 struct RatedBearing {
-  bearing::rating::StatedRatings stated{};          // take the place of what the standards give
-  std::optional<bearing::rating::StatedOil> oil{};  // none: nothing is said of it
+  bearing::rating::StatedRatings stated{};          // replace the values of the standards
+  std::optional<bearing::rating::StatedOil> oil{};  // none: not stated
   std::optional<double>
-      roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
+      roughness{};  // [m]  composite: kappa by the film that was computed; none: as given by `oil`
   double reliability_factor = 1.0;  // [-]  a_1
   bearing::rating::LifeMethod method =
-      bearing::rating::LifeMethod::lundberg_palmgren;  // the life that results go by
+      bearing::rating::LifeMethod::lundberg_palmgren;  // the governing life of the results
 };
 
-/// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
+/// Parameters of a planetary set and its drive, single or among several sets. A sweep changes one or the
 /// other and derives anew.
 struct PlanetaryDrivetrain {
   gearset::PlanetarySet set;
   gearset::Drive drive;
   /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
-  /// which only power and speed count then. None: the set is alone and driven at drive.member.
+  /// which only power and speed count then. None: the set is single and driven at drive.member.
   std::optional<gearset::MemberRatios> in_arrangement;
-  /// Which planet of a pair this is; none: planets are single. Beside in_arrangement, and at rest alone.
+  /// Which planet of a pair this is; none: planets are single. With in_arrangement, and at rest only.
   std::optional<gearset::PlanetOfPair> of_pair;
   bearing::Bearing bearing;    // with the clearance that it has at this drive
   bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
-  bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest alone
+  bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest only
   int bearings_per_planet = 1;
   PlanetRim rim = PlanetRim::rigid;
   double reduction_factor = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
@@ -221,16 +221,15 @@ struct PlanetaryDrivetrain {
   /// give their mean forces. Called by each analysis anew, from any thread: the same every time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
   bool uneven_planets =
-      false;  // of gear_set: pins off their places or at unequal steps make planets load unevenly
-  /// What holds the carrier in the housing, of gear_set; none: points at rest leave out that it sags and
-  /// tilts.
+      false;  // of gear_set: pins off their positions or at unequal steps make planets load unevenly
+  /// Support of the carrier in the housing, of gear_set; none: its sag and tilt are left out at rest.
   std::optional<gearset::spatial::CarrierMounting> carrier_mounting;
   bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
   RatedBearing rated;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 
-/// What a case states of it beside the gears.
+/// Parameters in a case besides the gears.
 template <class Visitor>
 void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
@@ -260,7 +259,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
              .numerical = true}));
 }
 
-/// What follows from the parameters whatever the power and speed.
+/// Values that follow from the parameters and do not depend on power and speed.
 struct DrivetrainGeometry {
   gearset::WorkingGeometry gears;
   gearset::PlanetBody planet_gear;
@@ -276,7 +275,7 @@ struct DrivetrainGeometry {
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
 
 /// Speeds and torques of the members, whether the set is single or one of several: of the dynamics and the
-/// static balance of the set's gears. In an arrangement all torques are stated, and none follows from the
+/// static equilibrium of the set's gears. In an arrangement all torques are stated, and none follows from the
 /// power.
 /// @throws std::invalid_argument as gearset::mean_loads()
 gearset::dynamics::Operation set_operation(const PlanetaryDrivetrain& drivetrain,
@@ -286,15 +285,15 @@ gearset::dynamics::Operation set_operation(const PlanetaryDrivetrain& drivetrain
 bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain);
 
 /// Gives the bearing the clearance that it has at the drivetrain's speed, where that follows from its
-/// mounting. To be called whenever speed or place in an arrangement have changed; geometry is to be derived
-/// after it.
+/// mounting. To be called whenever speed or position in an arrangement have changed; geometry is to be
+/// derived after it.
 void mount(PlanetaryDrivetrain& drivetrain);
 
 /// Another speed of the input [rad/s], with the clearance and geometry that it brings.
 void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& geometry);
 
-/// How the outer race of one bearing bends while all bearings of its planet press alike and both meshes with
-/// their mean forces; rigid where the rim is.
+/// Elastic outer race of one bearing with equal loads of all bearings of its planet and mean forces of both
+/// meshes; rigid if the rim is.
 bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                 const gearset::MeanLoads& gears);
 
@@ -304,21 +303,21 @@ struct BearingDuty {
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
   int planet = 0;                 // [-]  whose, counted from 0
   double share = 1.0;             // [-]  of its planet's load, over the mean of that planet's bearings
-  /// Of both gears of a stepped planet and their inertia, about the middle of the planet: leans its axis
-  /// outward and ahead at positive z. [N m]
+  /// Couple of both gears of a stepped planet and their inertia, about the middle of the planet: leans its
+  /// axis outward and ahead at positive z. [N m]
   Eigen::Vector2d couple = Eigen::Vector2d::Zero();
-  /// Balances of the bearing under nearly that load, where some are known.
+  /// Known equilibria of the bearing under nearly that load.
   std::shared_ptr<const bearing::vectorised::PitchResults> near{};
 };
 
 /// Film, inertia and cage angles of the quasi-static bearing.
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain);
 
-/// What the bearing's motion in time needs whatever drives it: no excitation of the meshes, no run-up.
+/// Parameters of the bearing's motion in time, for any drive: no excitation of the meshes, no run-up.
 bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
                                                      const DrivetrainGeometry& geometry);
 
-/// The same of the bearing of one planet, which gravity finds where the planet is on its carrier.
+/// The same of the bearing of one planet, with gravity at the position of the planet on its carrier.
 bearing::motion::DynamicsParameters bearing_dynamics_of(const BearingDuty& duty,
                                                         const PlanetaryDrivetrain& drivetrain,
                                                         const DrivetrainGeometry& geometry);

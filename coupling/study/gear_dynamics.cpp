@@ -59,7 +59,7 @@ void GearSignals::add(double periods, const gearset::dynamics::SetSnapshot& now)
   const double angle = two_pi * (periods - std::floor(periods));
   const std::complex<double> first = std::polar(1.0, -angle);
   for (Eigen::Index i = 0; i < waves_.size(); ++i) {
-    // Products of real numbers: the library's asks whether they are finite.
+    // Products of real numbers: the library's complex product checks whether they are finite.
     const std::complex<double> before = i == 0 ? 1.0 : waves_[i - 1];
     waves_[i] = {before.real() * first.real() - before.imag() * first.imag(),
                  before.real() * first.imag() + before.imag() * first.real()};
@@ -301,7 +301,8 @@ class RepeatingMotion {
     return false;
   }
 
-  /// Whether a disturbance dies out within ten periods. Asked where teeth part, which the map does not know.
+  /// Whether a disturbance dies out within ten periods. Checked where teeth part, which the map does not
+  /// include.
   bool lasts() {
     for (Eigen::Index i = 0; i < allowed_.size(); ++i)
       result_.final_state[i] += (i % 2 == 0 ? kDisturbed : -kDisturbed) * allowed_[i];

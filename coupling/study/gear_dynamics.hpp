@@ -85,15 +85,15 @@ class GearSignals {
   Eigen::ArrayXcd waves_;  // (orders)  at the present sample
 };
 
-/// What belongs to the method. A window is a whole number of mesh periods at nominal speed.
+/// Settings of the method. A window is a whole number of mesh periods at nominal speed.
 struct GearRunOptions {
   long window_periods = 50;     // [mesh period]
   double drift = 1e-2;          // [-]  steady: rms accelerations of two windows in turn differ by no more
-  int least_windows = 2;        // before the criterion is asked
-  int most_windows = 40;        // before the run is observed all the same, and says so
+  int least_windows = 2;        // before the criterion is checked
+  int most_windows = 40;        // before the run is observed all the same, with a message
   long observed_periods = 100;  // [mesh period]  averaged once steady
   // [-]  and one more over all of the observed periods together, so that no two samples fall on the same
-  // place of the mesh period: where the stiffness jumps, a grid that repeats would always see one side.
+  // position of the mesh period: a grid that repeats would always be on one side of a stiffness jump.
   long samples_per_period = 128;
   long series_periods = 4;                      // [mesh period]  the last ones, kept as time series
   int harmonics = 12;                           // orders of the mesh frequency that are written
@@ -112,9 +112,9 @@ struct GearSeries {
   Eigen::ArrayXXd tangential_acceleration;  // [m/s^2]
 };
 
-/// What a run gives.
+/// Result of a run.
 struct GearRunResult {
-  bool completed = false;  // false: `message` says why; the rest holds what there was
+  bool completed = false;  // false: reason in `message`; the rest holds what there was
   bool steady = false;     // false with completed: the motion still changed from window to window
   std::string message;
   std::vector<PlanetStatistics> planets;
@@ -126,16 +126,15 @@ struct GearRunResult {
   integration::IntegrationReport report;  // summed; smallest step of all
 };
 
-/// Runs from the static state under mean loads (a run-up from its start), or from `start`. What goes wrong
-/// in the integration is in the result.
+/// Runs from the static state under mean loads (a run-up from its start), or from `start`. Errors of the
+/// integration are in the result.
 GearRunResult run_gears(const gearset::dynamics::SetModel& model, const GearRunOptions& options);
 GearRunResult run_gears_from(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
                              const GearRunOptions& options);
 
-/// The same where the speed is steady and the motion repeats with the meshes: found from `start` by Newton's
-/// method on `map`, in place of being waited for, and observed over ten mesh periods. Where it is not found,
-/// a small motion grows by the map, or teeth part and a disturbance does not die out, the motion is waited
-/// for all the same.
+/// The same for a steady speed and a motion that repeats with the meshes: found from `start` by Newton's
+/// method on `map`, instead of by a long run, and observed over ten mesh periods. If it is not found, a small
+/// motion grows by the map, or teeth part and a disturbance does not die out, the long run is used.
 GearRunResult run_gears_repeating(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
                                   const gearset::dynamics::PeriodMap& map, const GearRunOptions& options);
 

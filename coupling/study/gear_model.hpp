@@ -1,4 +1,4 @@
-// The dynamic model of a planetary set from its geometry and from what the user states beside it.
+// The dynamic model of a planetary set from its geometry and from additional parameters.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace orbearing::study {
 
-/// Sun, ring, carrier or planet: values that stand in for derived ones, and how the housing holds it.
+/// Sun, ring, carrier or planet: values that replace derived ones, and its support by the housing.
 struct GearMemberChoice {
   std::optional<double> mass;      // [kg]   none: from the geometry
   std::optional<double> inertia;   // [kg]   moment of inertia / radius^2; none: from the geometry
@@ -21,7 +21,7 @@ struct GearMemberChoice {
       0.0;  // [N/m]  on radius x angle; 0: free, or held where it is the fixed member
 };
 
-/// What the dynamics of the gears need beyond teeth and drive.
+/// Parameters of the gear dynamics besides teeth and drive.
 struct GearDynamicsChoice {
   GearMemberChoice sun;
   GearMemberChoice ring;
@@ -54,7 +54,7 @@ void describe_central(Visitor& visit, GearMemberChoice& m, const std::string& na
        support_row(m.support_stiffness, name, support), torsional_row(m.torsional_stiffness, name));
 }
 
-/// Run-up and frame are stated by fields that are not theirs alone, the bodies' ratios by those of the set.
+/// Run-up and frame are stated by fields that they share, the bodies' ratios by those of the set.
 template <class Visitor>
 void describe(Visitor& visit, GearDynamicsChoice& m) {
   using namespace described;
@@ -118,8 +118,8 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
       apart(m.bodies), apart(m.run_up), apart(m.frame));
 }
 
-/// A set that is stated by masses and stiffnesses alone. All optional values of `choice` must be there.
-/// @param places [rad] of the planets; empty: at equal steps
+/// A set that is stated by masses and stiffnesses only. All optional values of `choice` must be there.
+/// @param angles [rad] of the planets; empty: at equal steps
 gearset::dynamics::SetParameters lumped_set(const GearDynamicsChoice& choice, int planets,
                                             double pressure_angle, const std::vector<double>& positions = {});
 

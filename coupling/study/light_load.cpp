@@ -21,7 +21,7 @@ MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   MeansAtRest all(duties.size());
   for (std::size_t i = 0; i < duties.size(); ++i) try {
       all[i] = BearingsAtRest(like, geometry).one(duties[i]).means;
-    } catch (const std::exception&) {  // what the motion itself does not take, it says
+    } catch (const std::exception&) {  // invalid input of the motion is reported by the motion itself
     }
   return all;
 }

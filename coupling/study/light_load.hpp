@@ -1,5 +1,5 @@
-// What the load of a planet bearing at rest says of its motion: slip where it is light, and how exactly
-// rollers have to be followed.
+// Estimates of the motion of a planet bearing from its load at rest: slip under light load, and required
+// accuracy of the roller motion.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,25 @@
 
 namespace orbearing::study {
 
-/// Of one bearing of each duty, at rest, where rollers are equal and no wave turns; none without a balance.
+/// Means of one bearing of each duty, at rest, where rollers are equal and no wave turns; none without an
+/// equilibrium.
 using MeansAtRest = std::vector<std::optional<bearing::motion::WindowStatistics>>;
 MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties);
 
 /// Drag over traction [-] (bearing/motion/drag_slip.hpp) under the loads at rest; none where traction is not
-/// that of regularised Coulomb alone, or the bearing at rest has no balance.
+/// that of regularised Coulomb only, or the bearing at rest has no equilibrium.
 std::optional<double> drag_over_traction(const PlanetaryDrivetrain& drivetrain,
                                          const DrivetrainGeometry& geometry, const BearingDuty& duty,
                                          const std::optional<bearing::motion::WindowStatistics>& at_rest);
 
-/// Slip [-] of the cage by the same source; none also where it finds no balance of the cage, or there is none.
+/// Slip [-] of the cage by the same source; none also without an equilibrium of the cage, or without a cage.
 std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                    const BearingDuty& duty,
                                    const std::optional<bearing::motion::WindowStatistics>& at_rest);
 
 /// With the error of a step that follows the load: a share of the elastic approach of the most loaded roller
-/// at rest, on the planet where that is least. As given where that share is 0, or a bearing has no balance.
+/// at rest, on the planet where that is least. Unchanged if that share is 0, or a bearing has no equilibrium.
 PlanetaryDrivetrain with_error_of_load(PlanetaryDrivetrain drivetrain, const MeansAtRest& at_rest);
 
 }  // namespace orbearing::study

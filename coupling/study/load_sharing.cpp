@@ -37,9 +37,9 @@ constexpr int kLinearRounds = 3;
 constexpr double kSameForce = 1e-9;          // [-]  of the largest force
 constexpr double kSameTangentForce = 1e-10;  // [-]  the same on tangents
 
-// How far the bearings of a planet and their pin give way to a force that they exert on it.
+// Deflection of the bearings of a planet and of their pin under a force that they exert on it.
 struct Give {
-  Vector2d displacement;  // [m]    of the planet from the place of its pin
+  Vector2d displacement;  // [m]    of the planet from the position of its pin
   Matrix2d compliance;    // [m/N]  -d(displacement)/d(force)
 };
 
@@ -53,8 +53,9 @@ gearset::MeanLoads gears_with_share(gearset::MeanLoads gears, double share) {
   return gears;
 }
 
-// An elastic planet gives way between its teeth too. What both meshes give way beyond the stiffness that the
-// gears have is as much as the whole planet displaced along the force of its meshes: its rotation is free.
+// An elastic planet also deflects between its teeth. The deflection of both meshes beyond the stiffness that
+// the gears have is equivalent to a displacement of the whole planet along the force of its meshes: its
+// rotation is free.
 class TeethOnRim {
  public:
   TeethOnRim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -108,7 +109,7 @@ class PlanetSupport {
       on_pin_ = planet_on(unlike_planet_seat(drivetrain, duty), of_like_rollers(drivetrain.bearing));
   }
 
-  /// Each search starts from where this planet last settled, else from the first one that did.
+  /// Each search starts from the last equilibrium of this planet, else from the first one found.
   Give give(std::size_t planet, const Vector2d& force) {
     bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
     const double share = -force.y() / duty_.gears.tangential_force;
@@ -120,7 +121,7 @@ class PlanetSupport {
             (Matrix2d::Identity() / support + rolling.compliance) / drivetrain_.bearings_per_planet};
   }
 
-  /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
+  /// Last equilibria of the bearing of each planet; none where cage angles were searched one by one.
   std::vector<std::shared_ptr<const PitchResults>> pitches() {
     std::vector<std::shared_ptr<const PitchResults>> all;
     for (PitchResults& one : pitches_) {
@@ -184,15 +185,15 @@ class PlanetSupport {
   TeethOnRim teeth_;
   bearing::vectorised::PitchSearch search_;
   std::optional<bearing::laminae::PlanetOnPin> on_pin_;  // where its tilt is computed
-  std::vector<PitchResults> pitches_;                    // (planets)  where they last settled
+  std::vector<PitchResults> pitches_;                    // (planets)  their last equilibria
   std::vector<std::optional<bearing::laminae::PlanetOnPinResult>> seated_;  // (planets)  the same
   PitchResults found_;
 };
 
-// Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
+// Fixed point of a map, with its slope from the last steps: Anderson's mixing of type II.
 class Mixing {
  public:
-  /// What to try after `tried` became `found`.
+  /// The next argument after the map of `tried` was `found`.
   VectorXd next(const VectorXd& tried, const VectorXd& found) {
     const VectorXd change = found - tried;
     if (before_ && change.norm() > before_->change.norm()) forget();  // flanks parted or met
@@ -234,8 +235,8 @@ void require_gears(const PlanetaryDrivetrain& drivetrain) {
         "planets that load unevenly: found gears that cannot move; required: one set with teeth");
 }
 
-// The torques of the three members balance: springs against their rotation carry nothing, and are left out,
-// so that not even the last digit depends on them.
+// The torques of the three members are in equilibrium: springs against their rotation carry nothing, and are
+// left out, so that not even the last digit depends on them.
 void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Member fixed) {
   const auto hold = [&](gearset::dynamics::Support& support, gearset::Member member) {
     support.torsional_stiffness = 0.0;
@@ -246,7 +247,7 @@ void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Membe
   hold(set.carrier.support, gearset::Member::carrier);
 }
 
-// The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
+// The equilibrium does not depend on the springs that lead to it: they are those of the bearings whatever the
 // case states for them, so that not even its last digit does.
 SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     double stiffness) {
@@ -288,10 +289,10 @@ double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
   return (now - before).colwise().norm().maxCoeff() / now.colwise().norm().maxCoeff();
 }
 
-// Forces where gears balance on bearings that give way along their tangents at the forces `tried`: only a
-// start for the next round, and the same search without a bearing in it. On flanks that stay in contact it is
-// linear, and one step of Newton's method ends it; where they change, mixing follows. Forces after
-// kTangentRounds where it does not end.
+// Forces at equilibrium of the gears on bearings that deflect along their tangents at the forces `tried`:
+// only a start for the next round, and the same search without a bearing in it. On flanks that stay in
+// contact it is linear, and one step of Newton's method ends it; where they change, mixing follows. Forces
+// after kTangentRounds where it does not end.
 Matrix2Xd balanced_on_tangents(StaticSet& set, double stiffness, const std::vector<Give>& gives,
                                const Matrix2Xd& tried, const Matrix2Xd& first) {
   Matrix2Xd at = tried, found = first, offset(2, tried.cols());
@@ -347,7 +348,7 @@ OnSprings balanced(const SetModel& model, double stiffness, PlanetSupport& suppo
   throw std::runtime_error(text.str());
 }
 
-// Of one bearing of each planet that carries such a share of the mean load.
+// Duties of one bearing of each planet that carries such a share of the mean load.
 std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
                                             const DrivetrainGeometry& geometry,
                                             const std::vector<double>& shares) {

@@ -1,4 +1,4 @@
-// How the planets of a set share its mean load where pins stand off their places.
+// Sharing of the mean load among the planets of a set with pins off their positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace orbearing::study {
 
-/// Planets in the balance that shares the set's mean load among them, each on a spring whose pin is displaced
-/// such that it gives the force of the bearings there.
+/// Static equilibrium of planets that shares the set's mean load among them. Each is on a spring whose pin is
+/// displaced such that it gives the force of the bearings there.
 struct PlanetBalance {
   /// [-]  (planets)  of the mean load of the meshes, 1 where all carry alike; negative where the planet is
   /// driven on its back flanks.
@@ -21,14 +21,14 @@ struct PlanetBalance {
   std::vector<std::shared_ptr<const bearing::vectorised::PitchResults>> pitches{};
 };
 
-/// Static balance of the gears at their mean mesh stiffness, with teeth that part, on bearings that give way
-/// as their quasi-static loads say, each on the support of its pin.
-/// @throws std::runtime_error where no balance is found, std::invalid_argument where the drivetrain has no
-/// gears that can move
+/// Static equilibrium of the gears at their mean mesh stiffness, with teeth that may separate, on bearings
+/// with their quasi-static compliance, each on the support of its pin.
+/// @throws std::runtime_error where no equilibrium is found, std::invalid_argument where the drivetrain has
+/// no gears that can move
 PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
-/// What the search takes of the bearings of one planet that exert `force` [N] on it: their operating point,
-/// and by how much they and the pin's support displace the planet are functions of it.
+/// Operating point of the bearings of one planet that exert `force` [N] on it: in the search, the
+/// displacement of the planet by the bearings and the pin's support is a function of it.
 bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
                                     const Eigen::Vector2d& force);
 

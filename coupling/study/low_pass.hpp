@@ -9,8 +9,8 @@
 
 namespace orbearing::study {
 
-// What an instrument has before it samples: a low-pass, here the windowed sine of Blackman over samples taken
-// more often. Forces that jump would else show as lines where none are.
+// Low-pass of an instrument before it samples, here the windowed sine of Blackman over samples taken more
+// often. Without it, forces that jump would cause false lines.
 template <int kChannels>
 class InstrumentLowPass {
  public:
@@ -38,7 +38,7 @@ class InstrumentLowPass {
 
   /// The value `kReach` samples ago.
   Eigen::Array<double, kChannels, 1> value() const {
-    const Eigen::Index old = last_.cols() - next_;  // how many stand at the end of the store
+    const Eigen::Index old = last_.cols() - next_;  // number at the end of the store
     return (last_.rightCols(old).matrix() * weight_.head(old).matrix() +
             last_.leftCols(next_).matrix() * weight_.tail(next_).matrix())
         .array();

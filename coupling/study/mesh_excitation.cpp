@@ -35,8 +35,8 @@ Vector2cd force_at(const PlanetStatistics& planet, std::size_t order) {
   return {coefficient(planet.radial_force), coefficient(planet.tangential_force)};
 }
 
-// Of what a bore with its share of the planet's mass needs to move at the angular frequency `w` [rad/s]:
-// mass x acceleration in the carrier's frame.
+// Force that moves a bore with its share of the planet's mass at the angular frequency `w` [rad/s]: mass x
+// acceleration in the carrier's frame.
 Matrix2cd inertia_of(double mass, const bearing::CarrierFrame& frame, double w) {
   Matrix2cd matrix;
   for (Eigen::Index i = 0; i < 2; ++i) {
@@ -54,7 +54,7 @@ Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDu
                           const AffineBearing& law, double bore_mass, double w) {
   const double number = drivetrain.bearings_per_planet;
   bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.dynamics.inertia);
-  frame.orbit_radius = 0.0;  // the planet's inertial load in its nominal place is part of the mean load
+  frame.orbit_radius = 0.0;  // the planet's inertial load in its nominal position is part of the mean load
   const Matrix2cd force_over_motion =
       -(law.stiffness.cast<Complex>() + Complex(0.0, w) * law.damping.cast<Complex>());
   return inertia_of(bore_mass, frame, w) * force_over_motion.inverse() - Matrix2cd::Identity() / number;

@@ -19,8 +19,7 @@ class GearsOnLaw {
   /// springs that are not alike across, and meshes that pump add to it.
   bool stay_on() const { return map_.largest_growth() <= 0.0; }
 
-  /// Observed with as many harmonics as excitation_orders() says. `completed` says whether the motion could
-  /// be computed.
+  /// Observed with excitation_orders() harmonics. `completed`: whether the motion could be computed.
   /// @param start state of the gears to go on from; none: their static state
   GearRunResult run(const std::optional<Eigen::VectorXd>& start = std::nullopt) const;
 
@@ -30,7 +29,7 @@ class GearsOnLaw {
   GearRunOptions options_;
 };
 
-/// The gears on bearing_tangent() in place of their bearings: what every planet begins with.
+/// The gears on bearing_tangent() instead of their bearings: the start of every planet.
 struct GearsOnTangent {
   gearset::dynamics::AffineBearing tangent;
   GearRunResult run;

@@ -42,7 +42,7 @@ constexpr double kWave = 12e-9;          // of a lane and a wave
 constexpr double kHigherOrder = 1.67;    // steps of order 3 and 4
 constexpr double kRefused = 1.17;        // steps of order 2 where rollers bounce under loads that vary
 constexpr double kExplicit = 15.0;       // dopri5, for the same time of motion
-// Of one system: bearings that take steps of their own, and gears.
+// Factors of one system: bearings that take steps of their own, and gears.
 constexpr double kOneSystem = 1.4, kUncagedSystem = 1.7, kSmoothSystem = 1.2;
 constexpr double kJumpsOfPeriod = 16.0;     // of the mesh stiffness, which end a step
 constexpr double kExchange = 15e-6;         // [s]  of an exchange in a co-simulation
@@ -62,13 +62,13 @@ double lanes_of(const BearingModel& model) {
   return pack * std::ceil(static_cast<double>(model.layout.rollers) / pack);
 }
 
-// Of a single bearing of order 2 [s].
+// Time of a step of order 2 of a single bearing [s].
 double step_seconds(const BearingModel& model, int laminae) {
   const double of_laminae = laminae * (model.layout.tilting ? kTiltedLamina : kLamina);
   return kStep + lanes_of(model) * (kLane + of_laminae + kWave * static_cast<double>(model.layout.waves));
 }
 
-// How one set moves: what all its motions have in common.
+// Motion of one set: common data of all its motions.
 struct SetMotion {
   const PlanetaryDrivetrain& drivetrain;
   const BearingModel& model;

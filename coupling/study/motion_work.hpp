@@ -1,5 +1,5 @@
-// What a point in motion takes, from counts of revolutions, steps, bearings, rollers, laminae and waves:
-// known before it is computed, and the same on every machine.
+// Computing time of a point in motion, from counts of revolutions, steps, bearings, rollers, laminae and
+// waves: known before it is computed, and the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace orbearing::study {
 
-/// How long a motion is followed and how exactly, as in system::SteadyStateOptions.
+/// Duration and accuracy of a motion, as in system::SteadyStateOptions.
 struct MotionWindows {
   int observed = 10;            // [-]  revolutions of the cage
   int most = 20;                // [-]  revolutions on the way to the steady state
@@ -31,7 +31,7 @@ struct MotionWork {
   double window_seconds = 0.0;  // [s]  processor time of a second of motion besides, for exchanges
   double other_seconds = 0.0;   // [s]  processor time of all that is no step of bearings
   int alike = 1;                // such motions
-  double run_up = 0.0;          // [s]  of motion, in place of the observed revolutions; 0: none
+  double run_up = 0.0;          // [s]  of motion, instead of the observed revolutions; 0: none
 
   double step(const MotionWindows& windows) const;  // [s]  mean
   double time(const MotionWindows& windows) const;  // [s]  of motion, in all runs

@@ -24,7 +24,7 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .unlike = unlike_bearings(point)};
 }
 
-// What is not known, as with kappa below 0.1, is no better than the shortest.
+// An unknown life, as with kappa below 0.1, counts as the shortest.
 double life(const PointResult& point) {
   const double hours = worst_governing_hours(point);
   return std::isnan(hours) ? 0.0 : hours;

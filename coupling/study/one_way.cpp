@@ -154,7 +154,7 @@ bearing::motion::DynamicsParameters on_its_ring(const PlanetaryDrivetrain& drive
   return parameters;
 }
 
-// Gears and bearing in turn: where they stand, and what is known of the law.
+// Gears and bearing in turn: their states, and the present law.
 class OneWay {
  public:
   OneWay(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty,
@@ -193,7 +193,7 @@ class OneWay {
     return (on_planet + load).norm() / load.norm();
   }
 
-  // Of gears that do not shake: what displaced planets make of the load shows at rest.
+  // For gears without excitation: the effect of displaced planets on the load is known at rest.
   std::optional<double> difference_at_rest() const {
     const std::optional<Eigen::Vector2d> force = bearing_force_at_rest(drivetrain_, geometry_, duty_.planet);
     if (!force) return std::nullopt;
@@ -281,7 +281,7 @@ class OneWay {
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
   std::optional<AffineFit> fit_;
   OneWayRecord record_;
-  std::optional<GearsOnLaw> next_;  // on the fitted law, where it was asked for
+  std::optional<GearsOnLaw> next_;  // on the fitted law, if requested
   bool last_ = false;               // of the runs, whatever comes of it
   bool whole_ = false;              // the run was observed to its end
 };

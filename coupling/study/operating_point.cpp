@@ -72,7 +72,7 @@ double life_together(const std::vector<double>& lives) {
   return together;
 }
 
-// What the rollers do to the bore, mean over time [N].
+// Mean force of the rollers on the bore [N].
 Eigen::Vector2d mean_bore_force(const RaceStatistics& outer, const Eigen::ArrayXd& angle, int rollers) {
   const Eigen::ArrayXd load = outer.mean_load * outer.passages;
   return rollers * Eigen::Vector2d((load * angle.cos()).mean(), (load * angle.sin()).mean());
@@ -93,7 +93,7 @@ std::vector<double> shared_loads(const Rating& rating, const BearingDuty& duty,
   return loads;
 }
 
-// Of bearings of which none may fail, and of `alike` such groups.
+// System life of bearings of which none may fail, and of `alike` such groups.
 void put_system_life(const std::vector<double>& lives, const std::vector<bearing::rating::RatedHours>& rated,
                      int alike, PointResult& result) {
   result.system_life_hours = bearing::system_life(life_together(lives), alike);
@@ -339,7 +339,7 @@ std::vector<SeatedBearing> bearings_to_drive(const PlanetaryDrivetrain& drivetra
   return all;
 }
 
-// Of unlike bearings: their loads as passages of one bearing, the series and the end of the first's motion.
+// Unlike bearings: their loads as passages of one bearing, the series and the end of the first's motion.
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
@@ -412,8 +412,8 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   return result;
 }
 
-// In time. Where the bore moves with its gears, they are solved together; where that cannot be followed, the
-// bearing is driven one way all the same.
+// In time. If the bore moves with its gears, they are solved together; if that fails, the bearing is driven
+// one way.
 PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
                          const std::vector<BearingDuty>& duties, Fidelity fidelity) {
   const MeansAtRest at_rest = means_at_rest(stated, geometry, duties);
@@ -424,7 +424,7 @@ PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeom
     if (fidelity != Fidelity::dynamic) return coupled_point(drivetrain, geometry, duties.front(), fidelity);
     if (moves_with_its_gears(drivetrain, drag.value_or(0.0))) try {
         return coupled_point(drivetrain, geometry, duties.front(), Fidelity::monolithic);
-      } catch (const std::runtime_error&) {  // its row says which of both it is
+      } catch (const std::runtime_error&) {  // its row states which of both it is
       }
     return one_way_point(drivetrain, geometry, duties);
   };
@@ -434,8 +434,8 @@ PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeom
   return result;
 }
 
-// Of the duties, whatever the bearing's model, mean over unlike planets: the total on the bore holds what
-// reaches it through the cage.
+// Loads of the duties, for any model of the bearing, mean over unlike planets. The total on the bore includes
+// the load through the cage.
 void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                const std::vector<BearingDuty>& duties, PointResult& result) {
   result.input_speed = drivetrain.drive.speed;
@@ -481,8 +481,7 @@ PointResult completed_in_motion(const PlanetaryDrivetrain& drivetrain, const Dri
   return result;
 }
 
-// What the standards rate of the same bearings, cut into laminae, takes the place of what whole contacts
-// give.
+// The lives by the standards of the same bearings, cut into laminae, replace those of whole contacts.
 template <class Unlike>
 void take_rated_hours(const std::vector<Unlike>& rated, std::vector<Unlike>& of) {
   for (std::size_t k = 0; k < of.size(); ++k) of[k].rated_hours = rated[k].rated_hours;

@@ -17,7 +17,7 @@ class Record;
 
 namespace orbearing::study {
 
-/// How the planet bearing is computed, from rung to rung of the ladder.
+/// Fidelity of the planet bearing, in ascending order.
 enum class Fidelity {
   quasi_static,
   dynamic,       // in time, driven by the gears: one way
@@ -39,7 +39,7 @@ struct RaceResult {
   }
 };
 
-/// Roller loads by place on the race, in the carrier frame.
+/// Roller loads by position on the race, in the carrier frame.
 struct LoadDistribution {
   std::vector<double> angle;       // [rad]  from the outward radial direction towards carrier rotation
   std::vector<double> inner_load;  // [N]    roller on pin
@@ -47,17 +47,17 @@ struct LoadDistribution {
   std::vector<double> race_form;   // [m]    outward displacement of an elastic outer race; empty: rigid
 };
 
-/// What only a bearing cut into laminae tells. Arrays (places, laminae) have the laminae fastest.
+/// Results of a bearing cut into laminae only. Arrays (positions, laminae) have the laminae fastest.
 struct LaminaRecord {
   std::vector<double> lamina_position;  // [m]    (laminae)  middles, from the middle of the roller
-  std::vector<double> inner_load;       // [N]    (places, laminae)
-  std::vector<double> outer_load;       // [N]    (places, laminae)
-  std::vector<double> roller_tilt;      // [rad]  (places)  outward at positive lamina places
+  std::vector<double> inner_load;       // [N]    (positions, laminae)
+  std::vector<double> outer_load;       // [N]    (positions, laminae)
+  std::vector<double> roller_tilt;      // [rad]  (positions)  outward at positive lamina positions
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore's axis against the pin's
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();     // [N m]  of the rollers on the bore, along its tilt
 };
 
-/// What only the motion in time tells.
+/// Results of the motion in time only.
 struct DynamicRecord {
   bool steady = false;               // false: the means still drifted when they were taken
   double roller_slip = 0.0;          // [-]  1 - mean roller spin / spin at pure rolling
@@ -67,22 +67,22 @@ struct DynamicRecord {
   bearing::motion::PowerLoss loss;   // [W]  by cause
   system::BearingSeries series;      // of the last cage revolution
   integration::IntegrationReport run;   // what it took
-  Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
+  Eigen::VectorXd final_state;          // final state; a neighbouring point may start from it
   bearing::motion::StateLayout layout;  // of that state
-  std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
+  std::optional<OneWayRecord> one_way;  // the law that replaced the bearings in gears that drive one of them
   std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
   std::optional<double> drag_over_traction = std::nullopt;       // [-]  how lightly the bearing is loaded
   std::optional<double> drag_slip = std::nullopt;                // [-]  of the cage, under the loads at rest
 };
 
-/// What only gears and bearings that act on each other tell.
+/// Results of gears and bearings that act on each other only.
 struct CoupledRecord {
   std::vector<double> bearing_life_hours;  // [h]  (planets x bearings per planet), planet by planet
   double energy_residual = 0.0;            // [-]  of all exchanges over the energy that passed the ports
   double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
 };
 
-/// Lives of one bearing by the standards, beside that of Lundberg and Palmgren and on the same loads.
+/// Lives of one bearing by the standards, in addition to that of Lundberg and Palmgren and on the same loads.
 struct RatingRecord {
   bearing::rating::RatingLives lives;
   bearing::rating::RatedHours hours;         // of one bearing
@@ -131,8 +131,8 @@ struct SetResult {
   UnlikeBearings unlike{};
 };
 
-/// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
-/// whose bearings live shortest.
+/// Results of one operating point. Loads and lives are those of one bearing: of several sets, of the one
+/// whose bearings have the shortest life.
 struct PointResult {
   double input_speed = 0.0;         // [rad/s]
   double carrier_speed = 0.0;       // [rad/s]
@@ -151,7 +151,7 @@ struct PointResult {
   double contact_pressure =
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
-  bool caged = true;       // else there is nothing of a cage to tell
+  bool caged = true;       // else there are no results of a cage
   double radial_clearance = 0.0;  // [m]  of the running bearing
   double rim_over_module =
       std::numeric_limits<double>::quiet_NaN();  // [-]  of a planet, between roots and bore, normal modules
@@ -173,23 +173,24 @@ struct PointResult {
 /// Name of the array that holds the state in which the motion ended.
 inline constexpr const char* kFinalState = "final_state";
 
-/// What a row of a table shows: single numbers and the status. Of a point that failed nothing but input speed
-/// and status has a meaning.
+/// Row of a table: single numbers and the status. For a failed point only input speed and status have a
+/// meaning.
 void describe_row(described::Record& record, const PointResult& point);
-/// That, and loads by place, bearings and planets one by one and the motion in time, which are for files.
+/// The same, with loads by position, bearings and planets one by one and the motion in time, which are for
+/// files.
 void describe(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const SetResult& set);
 /// One planet of a point, as rows of results list planets that carry unlike loads.
 void describe_planet(described::Record& record, const PlanetResult& planet);
 
-/// The life that a point goes by.
+/// The governing life of a point.
 bearing::rating::Life governing_life(const PointResult& result);
 /// Governing life of one bearing, by the drivetrain's method [h]; not a number where the standards give none.
 double governing_hours(const PointResult& result);
 
 /// Loads, lives and the largest pressure of bearings that are not cylindrical, at rest; speeds and loads on
-/// the bore are not put in. The overturning moment of helical teeth is in the balance where a planet has two
-/// bearings or more. Throws std::runtime_error where no balance is found.
+/// the bore are not put in. The overturning moment of helical teeth is included where a planet has two
+/// bearings or more. Throws std::runtime_error where no equilibrium is found.
 PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const BearingDuty& duty);
 
@@ -204,14 +205,14 @@ inline constexpr double kLightLoad = 1.0;  // [-]
 /// By how much drag_slip() and the slip of a cage in motion differ: docs/slip_and_branches.md.
 inline constexpr double kDragSlipError = 0.03;  // [-]
 
-/// Whether a point asked for one way is solved as one system with its gears. Driven one way the bore is free
+/// Whether a point with one-way drive is solved as one system with its gears. Driven one way the bore is free
 /// under a stated force, while meshes as stiff as the bearing hold it in fact. Rollers without a cage strike
 /// each other and the races: lives on a free bore are up to an eighth too short. A lightly loaded bearing
 /// whirls on a free bore, and its own whirl gives it the load not to skid. False where gears and bearings
 /// have no common motion in time: several sets, a run-up, a computed tilt.
 bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double drag_over_traction);
 
-/// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
+/// Computes one point. Throws std::runtime_error with the solver's reason if there is no equilibrium or the
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity = Fidelity::quasi_static);

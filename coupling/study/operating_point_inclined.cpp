@@ -24,7 +24,7 @@ namespace rating = bearing::rating;
 using bearing::Race;
 using Rows = std::vector<const bearing::InclinedRowLoads*>;
 
-// Of several rows one behind the other.
+// Loads of several rows one behind the other.
 Eigen::ArrayXd all_loads(const Rows& rows, Eigen::ArrayXd bearing::InclinedRowLoads::*race) {
   const Eigen::Index positions = (rows.front()->*race).size();
   Eigen::ArrayXd all(positions * static_cast<Eigen::Index>(rows.size()));
@@ -95,7 +95,7 @@ class Bearings {
     for (const bearing::InclinedRowLoads* one : of(bearing)) sum += one->radial;
     return sum;
   }
-  // Of both rows of one bearing together.
+  // Axial load of both rows of one bearing together.
   double axial_load(int bearing) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < rows_.size(); ++k)
@@ -112,7 +112,7 @@ class Bearings {
   }
 
   using Lives = PlanetBearingRating::Lives;
-  /// Of a bearing with `rows`, or of several taken together as passages of one.
+  /// Lives of a bearing with `rows`, or of several taken together as passages of one.
   Lives lives(const Rows& rows, const RatedLoads& loads) const {
     const rating::RatingCondition condition = rating_condition(drivetrain_.rated, loads.dynamic, loads.most,
                                                                speed_, drivetrain_.bearing.pitch_diameter);
@@ -211,7 +211,7 @@ std::vector<double> flattened(const Eigen::ArrayXXd& loads) {
   return {loads.data(), loads.data() + loads.size()};
 }
 
-// Of the bearing of a planet with the shortest life.
+// Laminae of the bearing of a planet with the shortest life.
 std::optional<LaminaRecord> record_of_laminae(const PlanetaryDrivetrain& drivetrain, const Bearings& bearings,
                                               const PointResult& point) {
   const auto shortest = std::ranges::min_element(point.seats, {}, &SeatResult::life_hours);

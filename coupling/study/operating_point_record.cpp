@@ -1,4 +1,4 @@
-// An operating point as it is described once: a row of a table, and arrays that are for files alone.
+// Description of an operating point: a row of a table, and arrays that are for files only.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -90,7 +90,7 @@ void describe_gears_and_fits(Record& record, const PointResult& point) {
                ovality(point.distribution.race_form));
 }
 
-// Of one bearing, by the standards.
+// Ratings of one bearing by the standards.
 void describe_ratings(Record& record, const PointResult& point) {
   const bearing::rating::RatingLives& lives = point.rating.lives;
   record.value("life_Mrev", dimension::revolutions, "fatigue life of one bearing, in revolutions", point.life)
@@ -182,7 +182,7 @@ double largest_of(const Items& items, const Value& value) {
   return most;
 }
 
-// Of each planet where planets are unlike.
+// Largest share of a bearing in the load of its planet; over all planets if they are unlike.
 double largest_bearing_share(const PointResult& point) {
   const std::size_t planets = std::max<std::size_t>(point.planets.size(), 1);
   const std::size_t bearings = point.seats.size() / planets;
@@ -216,7 +216,7 @@ void describe(Record& record, const UnlikeBearings& unlike) {
                unlike.load_share);
 }
 
-// Where planets or their bearings are unlike.
+// Results for planets or bearings that are unlike.
 void describe_sharing(Record& record, const PointResult& point) {
   describe(record, unlike_bearings(point));
   record.value("largest_bearing_tilt_mrad", dimension::small_angle,
@@ -253,7 +253,7 @@ void describe_law(Record& record, const gearset::dynamics::AffineBearing& law) {
   add("force_y", "_N", dimension::force, law.force.y());
 }
 
-// What stood for the bearings in gears that drive one of them.
+// The law that replaced the bearings in gears that drive one of them.
 void describe_one_way(Record& record, const PointResult& point) {
   OneWayRecord fit;
   const bool there = point.dynamic && point.dynamic->one_way;
@@ -342,7 +342,7 @@ void describe_direction(Record& record, const std::string& name, const described
   record.value(name + "_y", of, meaning + ", in the sense of rotation", vector.y());
 }
 
-// Of a bearing cut into laminae, whose places are those of the distribution.
+// Loads of a bearing cut into laminae, whose positions are those of the distribution.
 void describe_laminae(Record& record, const LaminaRecord& laminae) {
   using Table = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
   const auto count = static_cast<Eigen::Index>(laminae.lamina_position.size());

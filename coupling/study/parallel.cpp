@@ -18,7 +18,7 @@ namespace {
 /// Points that may wait for delivery; bounds memory where delivery is the slower side.
 constexpr std::ptrdiff_t most_waiting = 64;
 
-/// Finished points on their way to the delivering thread; an empty one says that no more follow.
+/// Finished points on their way to the delivering thread; an empty one: no more follow.
 using Queue = tbb::concurrent_bounded_queue<std::optional<ComputedPoint>>;
 
 PointResult failed_point(const std::string& reason) {

@@ -23,7 +23,7 @@ using constants::two_pi;
 // Outward, along, housing.
 using PlanetLowPass = InstrumentLowPass<3>;
 
-// How much of a ring mesh an instrument on the housing measures, the planet being `angle` [rad] from it.
+// Share of a ring mesh that an instrument on the housing measures, the planet being `angle` [rad] from it.
 double share_at_sensor(double angle) {
   return 0.5 * (1.0 + std::cos(angle));
 }

@@ -21,7 +21,7 @@
 
 namespace orbearing::study {
 
-/// How the gear set's vibration is sampled.
+/// Sampling of the gear set's vibration.
 struct PlanetSampling {
   double rate = 51200.0;              // [Hz]
   double revolutions = 16.0;          // [-]  of the carrier
@@ -106,7 +106,7 @@ void describe(Visitor& visit, ScratchedPosition& m) {
              .where = {"defect.also", "outer|inner|roller"}}));
 }
 
-/// What pure rolling and the teeth give. Frequencies of the bearing are relative to the carrier.
+/// Frequencies of pure rolling and of the teeth. Frequencies of the bearing are relative to the carrier.
 struct PlanetFrequencies {
   double carrier = 0.0;                         // [Hz]  turns of the carrier in the housing
   double planet = 0.0;                          // [Hz]  turns of the planet relative to the carrier
@@ -138,8 +138,8 @@ struct PlanetVibration {
 
 /// The drivetrain at its power and speed with `scratched` bearings, of which the first gives the
 /// carrier-frame signal; without any, the first bearing of the first planet does. `progress` gets the share
-/// done, if any. Throws std::invalid_argument for what coupled_model() refuses; a run that ends early says so
-/// in the report.
+/// done, if any. Throws std::invalid_argument for what coupled_model() refuses; a run that ends early states
+/// it in the report.
 PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
                                  const std::vector<system::ScratchedPlanet>& scratched,
                                  const PlanetSampling& sampling,

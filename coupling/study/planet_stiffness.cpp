@@ -19,7 +19,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// What gives way to what, without rollers: meshes (sun, ring) and waves of the race.
+// Compliances without rollers: of meshes (sun, ring) and waves of the race.
 struct RimCompliance {
   Eigen::Matrix2d meshes;  // [m/N]
   MatrixXd waves_by_mesh;  // [m/N]  (waves, 2)
@@ -39,7 +39,7 @@ RimCompliance rim_compliance(const gearset::rim::RimInfluence& rim, const gearse
   return compliance;
 }
 
-// Rollers that bear, at one place of the cage.
+// Loaded rollers at one position of the cage.
 struct LoadedRollers {
   Eigen::Matrix2Xd outward;   // [-]
   MatrixXd shapes;            // [-]    (waves, rollers)
@@ -65,9 +65,9 @@ LoadedRollers loaded_rollers(const bearing::RaceEquilibrium& problem) {
   return rollers;
 }
 
-// By deflections of both meshes and displacement of the bore against its pins: from what each mesh force and
-// each roller's load, the same in all bearings, moves, since rollers give way far more than short waves of
-// the race.
+// By deflections of both meshes and displacement of the bore against its pins: from the displacements by each
+// mesh force and by each roller's load, the same in all bearings, since rollers deflect far more than short
+// waves of the race.
 Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& rollers, int bearings) {
   const Index count = rollers.stiffness.size();
   MatrixXd moved(2 + count, 2 + count);
@@ -125,7 +125,7 @@ using constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-// Of one bearing, without its support; the displacement is that of the bore from the pin ring.
+// Tangent of one bearing, without its support; the displacement is that of the bore from the pin ring.
 struct RollerTangent {
   Vector2d displacement = Vector2d::Zero();  // [m]
   Matrix2d compliance = Matrix2d::Zero();    // [m/N]
@@ -149,7 +149,7 @@ Matrix2d roller_damping(const bearing::RollerContacts& contacts, const PitchResu
   return sum;
 }
 
-// Of whole contacts, as the bearing in motion has them without laminae.
+// Tangent of whole contacts, as the bearing in motion has them without laminae.
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
                              bearing::OperatingPoint point) {
   point.bore_tilt.setZero();  // which has no effect on whole contacts

@@ -30,7 +30,7 @@ using bearing::motion::RaceStatistics;
 using bearing::motion::WindowStatistics;
 using bearing::vectorised::AlignedPitch;
 
-// Every place of the quasi-static bearing is passed alike, under one load.
+// Every position of the quasi-static bearing has equal passages, under one load.
 RaceStatistics race_means(const Eigen::ArrayXd& loads, double least_film) {
   return {.load_rms = std::sqrt(loads.square().mean()),
           .load_max = loads.maxCoeff(),

@@ -30,7 +30,7 @@ class BearingsAtRest {
 
   /// All bearings of a planet: one where they are alike.
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty);
-  /// One bearing, tilted as the duty says. Throws std::runtime_error where it finds no balance.
+  /// One bearing, with the tilt of the duty. Throws std::runtime_error if there is no equilibrium.
   QuasiStaticBearing one(const BearingDuty& duty);
 
   const bearing::laminae::LaminaBearing& bearing() const { return bearing_; }
@@ -52,7 +52,7 @@ bool is_rated_on_laminae(const PlanetaryDrivetrain& drivetrain);
 /// The same drivetrain with contacts cut into the least number of laminae that the standard allows.
 PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain);
 
-/// Least film [m] under a roller that rolls on `race` with `load` [N], heated where the case asks for it; NaN
+/// Least film [m] under a roller that rolls on `race` with `load` [N], heated if the case has it; NaN
 /// without oil.
 double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           bearing::Race race, const bearing::Film& film, double load);
@@ -71,27 +71,27 @@ double pressure_along_the_roller(const PlanetaryDrivetrain& drivetrain, const Dr
 Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const bearing::OperatingPoint& point);
 
-/// What the standards ask of a bearing beside the loads on its elements: P and P_0 [N], and the oil at
-/// `speed` [rad/s], where something is said of it. Rings that stand against each other have no kappa.
+/// Conditions of the standards for a bearing besides the loads on its elements: P and P_0 [N], and the oil at
+/// `speed` [rad/s], if stated. Rings at rest against each other have no kappa.
 bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, double load, double largest_load,
                                                   double speed, double pitch_diameter);
 
-/// As bearing::rating::rated_hours(); all infinite where the rings stand against each other, with or without
-/// oil: then static safety alone counts.
+/// As bearing::rating::rated_hours(); all infinite if the rings are at rest against each other, with or
+/// without oil: then only the static safety counts.
 bearing::rating::RatedHours hours_at(const bearing::rating::RatingLives& lives, double speed);
 
 /// Loads and lives of the bearings of one point, which share speeds, oil and ratings. Keeps references to
 /// both drivetrain and geometry.
 class PlanetBearingRating {
  public:
-  /// `duty`: whose speeds count.
+  /// `duty`: gives the speeds.
   PlanetBearingRating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const BearingDuty& duty)
       : drivetrain_(drivetrain), geometry_(geometry), speed_(rotating_speed(drivetrain.bearing, duty.point)) {
     if (is_rated_on_laminae(drivetrain)) laminae_.emplace(cut_for_rating(drivetrain).bearing);
   }
 
-  /// Of one bearing under a radial load [N].
+  /// Lives of one bearing under a radial load [N].
   struct Lives {
     bearing::BearingLife life;  // [rev]  of Lundberg and Palmgren
     double hours = 0.0;         // [h]

@@ -20,7 +20,7 @@ constexpr double kRefinedShare = 0.1;
 constexpr std::size_t kTermsPerInput = 40;  // more terms than this times the inputs: a cell is halved
 constexpr int kFailedDepth = 2;  // times the inputs: cells in which points fail are halved so often
 constexpr int kMostDepth = 10;   // times the inputs
-// How far around the largest misses of a cell they are followed, over its half widths.
+// Radius of the checks around the largest errors of a cell, over its half widths.
 constexpr std::array<double, 2> kNearWorst{0.4, 0.15};
 
 constexpr std::size_t kNodes = kMostTableDegree + 1;
@@ -166,7 +166,7 @@ TableValue ResultTable::at(const TablePoint& point, std::size_t result) const {
 
 double ResultTable::share_within(double bound) const {
   double share = 0.0;
-  // Of a cell that stands for one of its halves, the part of that half.
+  // For a cell that also covers one of its halves: the part of that half.
   const auto add = [&](const auto& self, int part, double volume) -> void {
     if (part >= 0) {
       const TableSplit& split = splits_[static_cast<std::size_t>(part)];
@@ -212,7 +212,7 @@ std::vector<double> TableBuilder::sum_of_terms(const Cell& cell, const TablePoin
   return sum;
 }
 
-// All terms up to the second degree, and check points: at least half of them of this cell alone.
+// All terms up to the second degree, and check points: at least half of them of this cell only.
 void TableBuilder::want_first_points(Cell& cell) {
   cell.wanted.push_back({});
   for (std::size_t i = 0; i < target_.inputs; ++i) cell.wanted.push_back(raised({}, i));
@@ -251,8 +251,8 @@ void TableBuilder::want_corners(Cell& cell) {
   }
 }
 
-// Of a result with a kink the miss is largest in a narrow part of the cell, which few points at random meet:
-// the largest miss of each result is followed.
+// If a result has a kink, its error is largest in a narrow part of the cell, which few random points hit:
+// checks follow the largest error of each result.
 void TableBuilder::want_checks_near_worst(Cell& cell, double radius) {
   std::vector<TablePoint> worst;
   for (std::size_t r = 0; r < target_.results; ++r) {
@@ -357,7 +357,7 @@ void TableBuilder::decide(std::size_t number) {
   }
 }
 
-// Of the last round as many terms as fit; a cell without all of its first points has no values.
+// Points of the last round: as many terms as fit; a cell without all of its first points has no values.
 std::vector<TablePoint> TableBuilder::next() {
   std::vector<TablePoint> points;
   for (std::size_t number = 0; number < cells_.size() && !exhausted_; ++number) {  // halves follow at once
@@ -423,7 +423,7 @@ void TableBuilder::take(const std::vector<std::vector<double>>& values) {
 
 int TableBuilder::add_cell(const Cell& cell, std::vector<TableCell>& cells) const {
   TableCell& added = cells.emplace_back(TableCell{cell.lower, cell.upper, {}, {}, cell.error});
-  if (cell.failed) {  // its error says that its value is none
+  if (cell.failed) {  // its error marks a missing value
     added.terms.emplace_back();
     added.weights.assign(target_.results, 0.0);
   } else {

@@ -81,7 +81,7 @@ class ResultTable {
   std::vector<Steps> steps_;
 };
 
-/// What a table is built for. Values and errors have the unit of the results, which are all alike in it.
+/// Target of a table. Values and errors have the unit of the results, which are all alike in it.
 struct TableTarget {
   std::size_t inputs = 1, results = 1;
   double bound = 0.01;  // error at which a cell is finished
@@ -129,8 +129,8 @@ class TableBuilder {
     std::vector<TablePoint> wanted_checks;
     std::size_t random_checks = 0;  // so far
     bool failed = false, finished = false;
-    // How often in turn it was found within the bound, at check points that had no part in growing: at
-    // random, in its corners and near the largest misses.
+    // Number of consecutive checks within the bound, at check points that were not used for the terms: at
+    // random, in its corners and near the largest errors.
     std::size_t confirmed = 0;
     std::size_t split_input = 0;
     std::size_t below = 0;  // number of its lower half; the upper one follows; 0: not halved

@@ -17,7 +17,7 @@ using cosim::CoupledOptions;
 using cosim::ExchangeOrder;
 
 constexpr double kRunaway = 10.0;  // [-]  forces over the largest true one: the exchange has run away
-constexpr double kSound = 0.5;     // [-]  errors of the forces that may tell an order
+constexpr double kSound = 0.5;     // [-]  errors of the forces that are usable for an order
 constexpr double kFalls = 1.5;     // [-]  ratio of errors of two windows that is more than a floor's scatter
 constexpr double kLonger = 7.0 / 6.0;
 

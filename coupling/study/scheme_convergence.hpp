@@ -1,4 +1,4 @@
-// How schemes of exchange between gears and bearings converge to the system solved as one.
+// Convergence of schemes of exchange between gears and bearings to the system solved as one.
 #pragma once
 
 #include <string>
@@ -31,10 +31,10 @@ struct SchemeConvergence {
   std::vector<SchemeOrder> orders;
 };
 
-/// Of Jacobi and Gauss-Seidel with extrapolation of degree 0, 1 and 2, and of windows repeated until both
-/// sides agree. The drivetrain at its power and speed, from the balance of gears and bearings. Compared are
-/// the forces on all planets at multiples of the longest window. @throws std::invalid_argument where it has
-/// no gears that can move
+/// Convergence of Jacobi and Gauss-Seidel with extrapolation of degree 0, 1 and 2, and of windows repeated
+/// until both sides agree. The drivetrain is at its power and speed and starts from the equilibrium of gears
+/// and bearings. The forces on all planets are compared at multiples of the longest window. @throws
+/// std::invalid_argument where it has no gears that can move
 SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain,
                                      const DrivetrainGeometry& geometry);
 

@@ -46,7 +46,7 @@ integration::Switches switches_of(ScratchedMotion& motion) {
 
 using LowPass = InstrumentLowPass<2>;
 
-// What one instant adds to the signal.
+// Contribution of one instant to the signal.
 struct Instant {
   Eigen::Vector2d position, acceleration;
   double ball_approach = 0.0, ball_load = 0.0, largest_load = 0.0;
@@ -69,7 +69,7 @@ class Recorder {
   }
   double interval() const { return 1.0 / (static_cast<double>(LowPass::kOversampling) * into_.rate); }
 
-  /// `state` gives all of the Instant but its acceleration and is asked for what is kept alone.
+  /// `state` gives all of the Instant but its acceleration; it is called only for samples that are kept.
   template <class State>
   void take(const Eigen::Vector2d& acceleration, const State& state) {
     low_pass_.take(acceleration);
@@ -110,7 +110,7 @@ Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration
   return {std::lround(settling * sampling.rate), samples, sampling.rate, into};
 }
 
-// How far and how fast the shaft turned while `vibration` was sampled.
+// Angle and speed of the shaft during the samples of `vibration`.
 void add_shaft(const bearing::defect::ScratchedBearing& scratched, RingVibration& vibration) {
   const Eigen::Index samples = vibration.ball_load.size();
   vibration.shaft_angle.resize(samples);

@@ -12,7 +12,7 @@
 
 namespace orbearing::study {
 
-/// How the motion is sampled.
+/// Sampling of the motion.
 struct Sampling {
   double rate = 51200.0;              // [Hz]
   double revolutions = 50.0;          // [-]  of the shaft
@@ -59,8 +59,8 @@ void describe(Visitor& visit, Sampling& m) {
           {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"}));
 }
 
-/// The ring's motion at even times; place and acceleration along the load and across it. The acceleration has
-/// passed the low-pass of an instrument, which takes off what lies above a third of the rate.
+/// The ring's motion at equal times; position and acceleration along the load and across it. The acceleration
+/// has passed the low-pass of an instrument, which takes off what lies above a third of the rate.
 struct RingVibration {
   double rate = 0.0;             // [Hz]
   double begin = 0.0;            // [s]  of the first sample, since the motion began
@@ -75,11 +75,10 @@ struct RingVibration {
   integration::IntegrationReport report;
 };
 
-/// The run-up that `sampling` asks for: settling and sampled revolutions take as long as they do at the mean
-/// speed.
+/// The run-up of `sampling`: settling and sampled revolutions take as long as they do at the mean speed.
 bearing::defect::RunUp run_up_of(double shaft_speed, const Sampling& sampling);
 
-/// From the static balance on. A run that ends early says so in the report and has no samples.
+/// From the static equilibrium on. A run that ends early states it in the report and has no samples.
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling);
 
 /// The same with all that moves in a ball bearing: the balls roll and slip by themselves, the cage turns as

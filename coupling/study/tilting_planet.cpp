@@ -141,7 +141,7 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
 
 namespace {
 
-// What the rollers of one bearing press on the waves of an elastic race, mean over the cage angles.
+// Forces of the rollers of one bearing on the waves of an elastic race, mean over the cage angles.
 struct PressedWaves {
   Eigen::ArrayXd cosine, sine;  // [N]  (orders)
 };
@@ -156,8 +156,8 @@ PressedWaves pressed_waves(const bearing::QuasiStaticResult& bearing, Eigen::Ind
   return waves;
 }
 
-// The race of each bearing as if all pressed alike, and by what else the others press: at rest the form is
-// that of the planet.
+// The race of each bearing as if all pressed alike, and by the differences of the others' forces: at rest the
+// form is that of the planet.
 void put_others(const std::vector<bearing::QuasiStaticResult>& bearings, int positions,
                 std::vector<SeatedBearing>& seated) {
   const bearing::ElasticRace& race = seated.front().duty.point.outer_race;

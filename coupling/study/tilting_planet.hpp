@@ -1,4 +1,4 @@
-// A planet that finds its own tilt: all its bearings, each at its place on a pin that bends, and both meshes.
+// A planet with a computed tilt: all its bearings, each at its position on a pin that bends, and both meshes.
 #pragma once
 
 #include "bearing/equilibrium/planet_on_pin.hpp"
@@ -6,30 +6,30 @@
 
 namespace orbearing::study {
 
-/// Places of the bearings of a planet along its axis, from the middle of the face. [m]
+/// Positions of the bearings of a planet along its axis, from the middle of the face. [m]
 std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain);
 
-/// The pin: as stated, or as long as the face and the usual walls ask: resting in the middles of both walls,
-/// each a quarter of the face thick, or clamped where the face ends.
+/// The pin: as stated, or of the length required by the face and usual walls: supported in the middles of
+/// both walls, each a quarter of the face thick, or clamped where the face ends.
 bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain);
 
-/// What the carrier's twist adds to the compliance of all pins along y, in the order of pin_compliance(). The
-/// wall at the positive end passes its part of all N planets' load through the body of the carrier to the
-/// other wall, of stiffness k: a force on it displaces it by N a^2/k, a the centre distance. Empty where the
-/// walls are rigid to each other.
+/// Contribution of the carrier's twist to the compliance of all pins along y, in the order of
+/// pin_compliance(). The wall at the positive end passes its part of all N planets' load through the body of
+/// the carrier to the other wall, of stiffness k: a force on it displaces it by N a^2/k, a the centre
+/// distance. Empty where the walls are rigid to each other.
 Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain);
 
-/// How stiffly both meshes hold the planet against tilts of its axis, along x and y: each mean stiffness k
-/// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces
-/// of helical teeth are held by the torques, whatever the tilt, and give no stiffness.
+/// Stiffness of both meshes against tilts of the planet's axis, along x and y: each mean stiffness k spread
+/// over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces of
+/// helical teeth are held by the torques, whatever the tilt, and give no stiffness.
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 
-/// What a planet is on, whatever its load, its speed, and the clearance and profiles of its bearings:
+/// Seat of a planet, independent of its load, its speed, and the clearance and profiles of its bearings:
 /// derived once, used from any thread.
 struct PlanetSeat {
   std::vector<double> positions;              // [m]  (bearings)
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the clearance that a bearing has
-  Eigen::MatrixXd pin_compliance;             // bearing::pin_compliance() at these places
+  Eigen::MatrixXd pin_compliance;             // bearing::pin_compliance() at these positions
   Eigen::MatrixXd tangential_compliance;      // the same with carrier_twist_compliance(); empty: rigid walls
   Eigen::Vector2d pin_inclination;            // [rad]  of the unloaded pin: outward, ahead
   Eigen::Matrix2d tilt_stiffness;             // [N m/rad]  of both meshes
@@ -40,7 +40,7 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain);
 
 /// The same for one of planets that carry unlike loads. The walls of the carrier twist against each other by
 /// what all planets press: by the mean planet, so that each planet finds its pin inclined by that twist.
-/// @throws std::runtime_error where the mean planet finds no balance
+/// @throws std::runtime_error if the mean planet has no equilibrium
 PlanetSeat unlike_planet_seat(const PlanetaryDrivetrain& drivetrain, const BearingDuty& mean);
 
 /// The seat of each planet of the drivetrain, whether they carry alike or not.
@@ -52,7 +52,7 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 /// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
 /// a planet whose bearings carry alike; axial forces of helical teeth and the two gears of a stepped planet
 /// lean it outward and ahead by `moment` [N m]. Laminae are needed.
-/// @throws std::runtime_error where the planet finds no balance
+/// @throws std::runtime_error if the planet has no equilibrium
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
                                                    const Eigen::Vector2d& moment,
@@ -70,12 +70,13 @@ struct SeatedBearing {
   PlanetaryDrivetrain drivetrain;  // with its own clearance
   DrivetrainGeometry geometry;
   BearingDuty duty;  // its part of the planet's load, the tilt of its bore
-  /// Of its pin there, beyond what the support deflects under this load, from where a planet has it whose
-  /// bearings share its load evenly: what keeps the loads at rest where all bearings follow one planet. [m]
+  /// Offset of its pin beyond the deflection of the support under this load, relative to the pin of a planet
+  /// whose bearings share its load evenly. It keeps the loads at rest where all bearings follow one planet.
+  /// [m]
   Eigen::Vector2d pin_offset = Eigen::Vector2d::Zero();
 };
 
-/// All bearings of a planet, from its balance at rest on `seat`.
+/// All bearings of a planet, from its equilibrium at rest on `seat`.
 std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
                                            const DrivetrainGeometry& geometry, const BearingDuty& duty);
 

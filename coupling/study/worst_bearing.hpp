@@ -5,7 +5,7 @@
 
 namespace orbearing::study {
 
-/// Of all bearings of a point.
+/// The worst of all bearings of a point.
 UnlikeBearings unlike_bearings(const PointResult& point);
 
 /// Governing life of the worst bearing [h]: over a revolution of the carrier where that is a body, the

@@ -36,7 +36,7 @@ void add_loss(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
   sum.churning += weight * other.churning;
 }
 
-// What is summed step by step while observed.
+// Sums over the steps while observed.
 struct ObservedSteps {
   double weight = 0.0;  // [s]
   double inner_square = 0.0, outer_square = 0.0;
@@ -44,7 +44,7 @@ struct ObservedSteps {
   bearing::motion::DamageSums damage;
 };
 
-// What is summed sample by sample while observed.
+// Sums over the samples while observed.
 struct ObservedSamples {
   long samples = 0;
   double inner_torque = 0.0, outer_torque = 0.0;

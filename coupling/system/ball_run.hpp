@@ -1,5 +1,4 @@
-// A ball bearing by itself, run in time under given speeds and loads: run-up, settling, then what is
-// observed.
+// A single ball bearing, run in time under given speeds and loads: run-up, settling, then the observed part.
 #pragma once
 
 #include <functional>
@@ -15,24 +14,24 @@
 
 namespace orbearing::system {
 
-/// How balls and cage move at the start.
+/// Motion of balls and cage at the start.
 enum class Start { rolling, rest };
 
 constexpr described::Names<Start, 2> names_of(Start) {
   return {{{Start::rolling, "rolling"}, {Start::rest, "rest"}}};
 }
 
-/// Which places have inertia.
+/// Positions that have inertia.
 enum class BallForm {
   complete,   // all
-  published,  // as [Chen2026]: those of rings and balls in their contacts follow from balance
+  published,  // as [Chen2026]: those of rings and balls in their contacts follow from equilibrium
 };
 
 constexpr described::Names<BallForm, 2> names_of(BallForm) {
   return {{{BallForm::complete, "complete"}, {BallForm::published, "printed"}}};
 }
 
-/// What belongs to the method and to the start.
+/// Settings of the method and of the start.
 struct BallRunOptions {
   double duration = 1.0;        // [s]  of the whole run
   double observed = 0.2;        // [-]  share of it at its end, over which means are taken
@@ -104,7 +103,7 @@ struct BallSeries {
   std::vector<double> cage_x, cage_y;               // [m]
   std::vector<double> pocket_load;                  // [N]  largest of all balls since the sample before
   std::vector<double> torque;                       // [N m]  of the drive of the inner ring
-  std::vector<double> inner_x, inner_y, inner_z;    // [m]  place of the inner ring
+  std::vector<double> inner_x, inner_y, inner_z;    // [m]  position of the inner ring
   std::vector<double> first_angle;                  // [rad]  of the first ball
   std::vector<double> first_inner, first_outer;     // [N]  loads of the first ball
   std::vector<bearing::balls::BallPowerLoss> loss;  // [W]
@@ -153,7 +152,7 @@ struct SlipHistory {
 std::optional<double> settling_time(const SlipHistory& history, double end, double band);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
-/// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input
+/// reached [s], if any. Errors during the run are in the result; throws std::invalid_argument for input
 /// that ball_numbers() refuses, and where nothing is left to observe.
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
                         const bearing::balls::BallDuty& duty,

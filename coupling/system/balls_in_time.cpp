@@ -10,7 +10,7 @@ namespace {
 using bearing::balls::BallNumbers;
 using bearing::balls::StateLayout;
 
-// Of a ball between its races [rad/s].
+// Frequency of a ball between its races [rad/s].
 double ball_frequency(const BallNumbers& c) {
   const double slope = 1.5 * (c.inner.stiffness + c.outer.stiffness) * std::sqrt(kTypicalApproach);
   return std::sqrt(slope / c.mass);

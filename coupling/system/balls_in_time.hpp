@@ -17,18 +17,18 @@ namespace orbearing::system {
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
 
-/// How long steps of balls may be.
+/// Bounds of steps of balls.
 struct BallSteps {
   double longest = 0.0;  // [rad]  of a ball's vibration between its races
   double error_factor =
       0.0;  // [-]    allowed errors are this much larger than those of dopri5 at equal accuracy
 };
-/// Where the vibration is not resolved the method damps it: loads then follow from balance, and where a ball
-/// is struck the allowed error shortens the step. Twice the allowed error of rollers moves loads, lives and
-/// friction by 0.1 % at most, less than another start does.
+/// If the vibration is not resolved, the method damps it: loads then follow from equilibrium, and the allowed
+/// error shortens the step if a ball has an impact. Twice the allowed error of rollers changes loads, lives
+/// and friction by 0.1 % at most, less than another start does.
 inline constexpr BallSteps kStepsOfBalance{.longest = 10.0,
                                            .error_factor = 2.0 * kLinearlyImplicitErrorFactor};
-/// For those who look at the vibration itself.
+/// To resolve the vibration itself.
 inline constexpr BallSteps kStepsOfVibration{.longest = kStepOfImpact,
                                              .error_factor = kLinearlyImplicitErrorFactor};
 

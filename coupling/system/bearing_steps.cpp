@@ -12,7 +12,7 @@ namespace {
 
 using constants::pi;
 
-// Of a roller between its races [rad/s].
+// Frequency of a roller between its races [rad/s].
 double roller_frequency(const bearing::motion::BearingModel& model) {
   const double stiffness = 2.0 * race_load(model.inner, kTypicalApproach, 1.0) / kTypicalApproach;
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
@@ -31,7 +31,7 @@ double damping_of_impact(const bearing::motion::RaceModel& race, double speed, d
   return resistance / (2.0 * std::sqrt(mass * kLoad / (bearing::kLineApproachExponent * elastic)));
 }
 
-// Of the ring on its rollers, of which a quarter bear [s].
+// Time of the ring on its rollers, of which a quarter are loaded [s].
 double ring_time(const bearing::motion::BearingModel& model) {
   const double load = race_load(model.inner, kTypicalApproach, 1.0);
   const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
@@ -49,7 +49,7 @@ constexpr double kDampedBoreErrors = 0.12;
 constexpr double kDampedSteps = 2.5;
 // Allowed errors of order 4 over those of order 2.
 constexpr double kFourthOrderErrors = 3.0;
-// Of slow motion: allowed errors fall with this power of slowness().
+// Slow motion: allowed errors fall with this power of slowness().
 constexpr double kSlowErrors = 1.0, kSlowFourthOrderErrors = 1.5;
 
 }  // namespace
@@ -220,7 +220,7 @@ StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& b
   return bounds;
 }
 
-// A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off
+// A bar that has moved by half the thickness of its rollers holds them no longer; a roller off
 // the pitch circle of the displaced rings by as much is on the other side of a race.
 std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {

@@ -1,5 +1,5 @@
-// What steppers must know of a planet bearing: which errors of a step it bears, how long steps may be, how it
-// stands between two of them, and whether all bodies still are where its equations mean anything.
+// Data of a planet bearing for steppers: allowed errors of a step, lengths of steps, states between two of
+// them, and validity of the positions of all bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,13 +16,13 @@ namespace orbearing::system {
 /// by themselves.
 inline constexpr double kLinearlyImplicitErrorFactor = 1000.0;
 
-/// At which a contact's stiffness stands for that of a run [m].
+/// Typical approach, for the contact stiffness of a run [m].
 inline constexpr double kTypicalApproach = 1e-6;
-/// Of the fastest vibration in the longest step [rad].
+/// Angle of the fastest vibration in the longest step [rad].
 inline constexpr double kStepOfImpact = 1.05;
 /// Share of the allowed error for the radial speeds of rolling elements that bounce: they open and close the
-/// contacts, and life errs with them more than with all other variables together. Where oil that is pressed
-/// out stops them (impacts_are_damped()) they are weighed as all others.
+/// contacts, and affect life more than all other variables together. If the squeeze film stops them
+/// (impacts_are_damped()), they are weighed as all others.
 inline constexpr double kRadialSpeedShare = 0.2;
 
 /// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets
@@ -35,7 +35,7 @@ Eigen::VectorXd allowed_errors(const bearing::motion::BearingModel& model, doubl
 std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBearing& bearing,
                                              const Eigen::VectorXd& allowed_error);
 
-/// Whether oil that is pressed out (bearing/contact/squeeze_film.hpp) takes the energy of a roller's impacts
+/// Whether the squeeze film (bearing/contact/squeeze_film.hpp) takes the energy of a roller's impacts
 /// on both races: at pure rolling and the film of the unloaded contact its resistance is kDampedImpact of
 /// critical or more, with the stiffness that the contact has at 1 N. The reducer's bearing with its oil has
 /// 0.7 at 1000, 0.26 at 6000 and 0.13 at 12000 rpm; with a thousandth of its viscosity rollers bounce as
@@ -53,21 +53,21 @@ inline constexpr double kStoppedBlow = 0.05;  // [m/s]
 /// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
 
-/// By how much motion is slower than its vibrations ask for: the passage of a roller past the load over
-/// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. Where it is more than 1, inertia
+/// Ratio by which motion is slower than its vibrations: the passage of a roller past the load over
+/// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. If it is more than 1, inertia
 /// and squeeze no longer move the rings, and steps follow the rollers' passage: they may be longer by this
-/// factor. Speeds are smaller by the same, and so must their errors be: a step that errs by more sets off
-/// vibrations that cost more than the short steps, and the loads of rollers then lie too high. Only radial
-/// speeds of rollers without a cage keep their errors: neighbours that strike one another throw them as fast
-/// at any speed.
+/// factor. Speeds are smaller by the same factor, and their allowed errors must be so too: a step with a
+/// larger error excites vibrations that cost more than the short steps, and the loads of rollers are then too
+/// high. Only radial speeds of rollers without a cage keep their errors: impacts of neighbours accelerate
+/// them as much at any speed.
 double slowness(const bearing::motion::BearingModel& model);
-/// The same where the cage turns at `cage_speed` [rad/s] against the load, for a bearing that others drive.
+/// The same where the cage turns at `cage_speed` [rad/s] against the load, for a driven bearing.
 double slowness(const bearing::motion::BearingModel& model, double cage_speed);
 /// The reducer's bearing passes a roller in as many longest steps at 850 rpm.
 inline constexpr double kStepsOfPassage = 1200.0;  // [-]
 
-/// Which body of `model` vibrates fastest by itself, on what, which inputs set it and what to change: for the
-/// reason of a run in which no step was small enough.
+/// The body of `model` with the fastest vibration, its support, the inputs that determine it and what to
+/// change: for the reason of a run in which no step was small enough.
 std::string fastest_vibration(const bearing::motion::BearingModel& model);
 
 /// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
@@ -91,10 +91,11 @@ struct StepBounds {
 /// Those of `bearing` with damped impacts (impacts_are_damped()), from the allowed errors of dopri5. Energy
 /// is as well kept as by steps of order 2, means are as good or better (coupling/integration/README.md).
 ///
-/// Where blows on the bars are damped, too, nothing strikes, and the ring on its rollers alone bounds the
-/// step. What loads and life hang on then is weighed more: the bore, whose error acts on all rollers at once,
-/// most, radial motion next. Motion along the pitch circle, spins and the cage act through oil films
-/// some tens of micrometres thick, not through an approach of one, and bear as much more.
+/// If blows on the bars are damped too, there are no impacts, and only the ring on its rollers bounds the
+/// step. Then the errors that determine loads and life have more weight: the bore, whose error acts on all
+/// rollers at once, most, radial motion next. Motion along the pitch circle, spins and the cage act through
+/// oil films some tens of micrometres thick, not through an approach of one, and allow errors larger by as
+/// much.
 StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
                              const Eigen::VectorXd& allowed_error);
 
@@ -109,9 +110,9 @@ StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
 StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
                           const Eigen::VectorXd& allowed_error, double slow);
 
-/// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
-/// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out
-/// sideways, and its equations go on without bound.
+/// Empty while the cage holds its rollers and the rollers lie between the races; else which body has left its
+/// position, and by how much. Pockets hold a cage along the pitch circle only: one without a guiding land can
+/// leave sideways, and its equations go on without bound.
 std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 

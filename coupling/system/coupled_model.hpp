@@ -21,12 +21,12 @@ struct ScratchedPlanet {
   std::vector<bearing::defect::Scratch> scratches;
 };
 
-/// What a bearing has of its own where planets are unlike or found their tilt at rest; it stays in motion.
+/// Data of a single bearing if planets are unlike or their tilt was computed at rest; constant in motion.
 struct BearingSeat {
   double clearance_difference = 0.0;                    // [m]    beyond that of `CoupledSetup::bearing`
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]
   bearing::ElasticRace outer_race;
-  /// Of its pin there, beyond the deflection of its support, from where the middle of a rigid planet has it.
+  /// Offset of its pin beyond the deflection of its support, relative to the middle of a rigid planet.
   Eigen::Vector2d pin_offset = Eigen::Vector2d::Zero();  // [m]
 };
 
@@ -42,11 +42,11 @@ struct CoupledSetup {
   std::vector<BearingSeat> seats = {};  // (bearings of all planets) where unlike; empty: as `bearing`
 };
 
-/// That of one bearing of a planet, both counted from 0.
+/// Setup of one bearing of a planet, both counted from 0.
 DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing);
 
-/// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
-/// of its pin.
+/// Motion of the bore of a planet by that of the gear set: linear in (x, y, u) of carrier and planet, less
+/// the error of its pin.
 struct PlanetPort {
   Eigen::Index planet_index = 0;  // of the planet in the layout
   double planet_angle = 0.0;      // [rad]  on the carrier
@@ -54,7 +54,7 @@ struct PlanetPort {
   Eigen::Matrix3d of_carrier, of_planet;
   Eigen::Vector2d pin_error;  // [m]
 
-  /// Place and rotation.
+  /// Position and rotation.
   Eigen::Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& q) const {
     return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) +
            of_planet * q.segment<3>(planet_index);
@@ -107,8 +107,8 @@ struct CoupledStart {
 };
 
 /// Gears and bearings at rest in each other's forces, as a co-simulation begins: the gear set in its static
-/// state under mean loads, the rollers of each bearing in balance at its planet's angle.
-/// @throws std::runtime_error where no balance is found
+/// state under mean loads, the rollers of each bearing in equilibrium at its planet's angle.
+/// @throws std::runtime_error where no equilibrium is found
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
 
 }  // namespace orbearing::system

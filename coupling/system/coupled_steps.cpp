@@ -113,7 +113,8 @@ void CoupledSystem::mesh_slope(double time, double* dx) {
                                 of_bearing(linear_.data(), b), of_bearing(dx, b));
 }
 
-// That of the bore of bearing `b`, from the `rate` of the gears' velocities, into its part of the rate.
+// Acceleration of the bore of bearing `b`, from the `rate` of the gears' velocities, into its part of the
+// rate.
 void CoupledSystem::put_acceleration(int b, const Eigen::Ref<const Eigen::VectorXd>& rate, double* dx) const {
   const Eigen::Vector2d acceleration = model_.port_of(b).along(rate);
   std::copy_n(acceleration.data(), 2, dx + bearings_.front().layout().bore() + 2);
@@ -202,7 +203,7 @@ using bearing::motion::BoreMotion;
 // Error of a step, over what is allowed, up to which a bearing is substepped: beyond it the
 // bearing's force in the step of all is not to be trusted.
 constexpr double kLargestSubstepped = 30.0;
-// What it takes to begin substepping a bearing, in steps of one bearing.
+// Cost of the start of substepping a bearing, in steps of one bearing.
 constexpr double kSubsteppingBegins = 1.5;
 
 std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<double>& gears) {
@@ -297,8 +298,8 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
   return integration::kAccepted;
 }
 
-// Substepped bearings do to the gears what the step of all did not know: the gears take up the difference
-// of the impulses at the end of the step, so that momentum is kept.
+// Substepped bearings have forces on the gears that the step of all did not include: the gears take up the
+// difference of the impulses at the end of the step, so that momentum is conserved.
 void CoupledSteps::substep_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
                                std::vector<double>& x) {
   bool any = false;

@@ -22,13 +22,13 @@ namespace orbearing::system {
 
 /// State: [ gears in the order of SetLayout, padded to a multiple of eight | bearing | bearing | ... ], each
 /// bearing in PaddedLayout with its bore where the gear set has it. `CoupledSteps` and `through_window` run
-/// it; for steps of order 4 see WithAllSlopes. What the matrix always leaves out is small:
+/// it; for steps of order 4 see WithAllSlopes. The matrix always leaves out a small effect:
 /// that the carrier's frame and a land on the planet turn at other speeds.
 class CoupledSystem {
  public:
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
-  /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
+  /// `rotating`: the matrix includes the effects of the planets' rotations on bearings, and vice versa.
   explicit CoupledSystem(const CoupledModel& model, bool rotating = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
@@ -37,7 +37,7 @@ class CoupledSystem {
 
   std::size_t size() const { return static_cast<std::size_t>(gear_size_ + bearings() * bearing_size_); }
   int bearings() const { return model_.bearings(); }
-  /// Where the part of bearing `b` begins.
+  /// Beginning of the part of bearing `b`.
   std::ptrdiff_t offset(int b) const { return gear_size_ + b * bearing_size_; }
   double* of_bearing(double* x, int b) const { return x + offset(b); }
   const double* of_bearing(const double* x, int b) const { return x + offset(b); }
@@ -48,8 +48,8 @@ class CoupledSystem {
   const CoupledModel& model() const { return model_; }
   double true_time(double time) const;
 
-  /// Times of the stepper count from `begin` [s]. The right-hand side is asked for no time outside
-  /// [first, last] [s], so that it answers for the inner side of jumps of the mesh stiffness.
+  /// Times of the stepper count from `begin` [s]. The right-hand side is evaluated only within [first, last]
+  /// [s], so that it is on the inner side of jumps of the mesh stiffness.
   void set_piece(double begin, double first, double last);
 
   void linearise(double time, const double* x, double* dx);
@@ -67,16 +67,16 @@ class CoupledSystem {
   /// Whether the matrix holds the rotations of the planets.
   bool rotating() const { return rotating_; }
 
-  /// What bearing `b` does to its planet at the last linearisation.
+  /// Reaction of bearing `b` on its planet at the last linearisation.
   const bearing::motion::BoreReaction& begin_reaction(int b) const {
     return begin_reactions_[static_cast<std::size_t>(b)];
   }
-  /// What bearing `b` did to its planet in the last attempt, mean over the step.
+  /// Reaction of bearing `b` on its planet in the last attempt, mean over the step.
   bearing::motion::BoreReaction mean_reaction(int b) const {
     return stages_[static_cast<std::size_t>(b)].mean();
   }
-  /// What impulses [N s], [N m s] on the planets, on top of all else, do to the velocities of the gears in
-  /// `x`.
+  /// Adds the effect of impulses [N s], [N m s] on the planets, on top of all else, to the velocities of the
+  /// gears in `x`.
   void push(const gearset::dynamics::PortLoads& impulses, double* x);
 
  protected:
@@ -129,7 +129,7 @@ struct CoupledStepOptions {
   long most_steps = 0;          // [-]  of one of these in one step
 };
 
-/// A controlled stepper as through_window() asks for.
+/// A controlled stepper as required by through_window().
 class CoupledSteps {
  public:
   CoupledSteps(const CoupledSystem& system, const CoupledStepOptions& options);
@@ -149,13 +149,13 @@ class CoupledSteps {
                                         double t, double h, std::vector<double>& x);
 
   CoupledStepOptions options_;
-  integration::Rosenbrock2 all_;         // weighs the gears alone
+  integration::Rosenbrock2 all_;         // weighs the gears only
   integration::Rosenbrock2 within_;      // one bearing
   integration::StepControl control_;     // of the steps of all
   std::vector<double> weight_;           // of one bearing
   std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
   std::vector<double> bearing_;          // state of one
-  gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not know
+  gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not include
   long substepped_ = 0;
 };
 

@@ -238,7 +238,7 @@ struct DrivenBearing::Inside {
     return x;
   }
 
-  // What a saved state must agree in: version, rollers, bins, waves, cage.
+  // Header in which saved states must agree: version, rollers, bins, waves, cage.
   std::vector<double> head() const {
     return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.bins),
             static_cast<double>(model.layout.waves), setup.bearing.has_cage() ? 1.0 : 0.0};
@@ -265,7 +265,7 @@ struct DrivenBearing::Inside {
     if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
   }
 
-  // The vectorised bearing with its bore where `motion` says; `linear` keeps slopes.
+  // The vectorised bearing with the bore motion `motion`; `linear` keeps slopes.
   BoreReaction evaluate(const BoreMotion& motion, bool linear) {
     at_instant = state.x;
     double* bore = at_instant.data() + vectorised.layout().bore();
@@ -311,7 +311,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
   in.set(start);
 }
 
-// Rolling and traction add little to the forces of the balance: what they add is taken off the load asked for
+// Rolling and traction add little to the static forces: their sum is taken off the required load
 // until the bearing's own force is the load.
 Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const BoreMotion& motion) const {
   constexpr int kMost = 30;

@@ -1,4 +1,4 @@
-// One planet bearing that others move: motion of bore and carrier in, force and moment out.
+// One driven planet bearing: motion of bore and carrier in, force and moment out.
 #pragma once
 
 #include <memory>
@@ -30,14 +30,14 @@ struct DrivenBearingSetup {
   double allowed_length_error = 2e-10;   // [m]    of one step; all other variables follow from it
   long bins = 72;                        // [-]    bins on the races, for the life
   long most_steps = 10'000'000;          // [-]    in one call of advance() before it gives up
-  double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
+  double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start if not given
   double carrier_speed = 0.0;  // [rad/s]  the same
   Eigen::Vector2d start_load = Eigen::Vector2d::Zero();  // [N]  of the planet on the bearing, at the start
-  /// Start value of the bore's displacement [m]: where it stands under that load at these speeds.
+  /// Start value of the bore's displacement [m]: equilibrium position under that load at these speeds.
   Eigen::Vector2d start_displacement = Eigen::Vector2d::Zero();
 };
 
-/// Of a drivetrain too.
+/// Also used for a drivetrain.
 inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
   return field(reduction_factor, "life.reduction_factor", Physics::life,
@@ -48,7 +48,7 @@ inline described::Row<double> reduction_factor_row(double& reduction_factor) {
                 .fmu = InFmu::parameter});
 }
 
-/// All that a bearing's future depends on beside its inputs, in the order of an FMU's model.
+/// All data besides its inputs on which a bearing's future depends, in the order of an FMU's model.
 template <class Visitor>
 void describe(Visitor& visit, DrivenBearingSetup& m) {
   using namespace described;
@@ -79,9 +79,9 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
                    internal(m.start_displacement.y(), "operation.displacement.y")));
 }
 
-/// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is
-/// required, where a number has no meaning or where something is asked for that follows from speeds or loads
-/// before they are known: a run-up, a mesh excitation, the film as printed.
+/// The model of a driven bearing. Throws std::invalid_argument, with what was found and what is required,
+/// where a number has no meaning or for options that follow from speeds or loads before they are known: a
+/// run-up, a mesh excitation, the film as printed.
 bearing::motion::BearingModel driven_model(const DrivenBearingSetup& setup);
 
 /// Throws std::runtime_error with what was found where a window has no length.
@@ -120,23 +120,23 @@ class DrivenBearing final : public Participant {
   void complete(std::vector<double>& inputs, const std::vector<bool>& given) const override;
   void initialize(double time, const std::vector<double>& inputs) override;
   void advance(const Window& window, const std::vector<InputPolynomial>& inputs) override;
-  /// Of the first three, which are the reaction, no more is computed.
+  /// If only the first three are requested, which are the reaction, the rest is not computed.
   std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const override;
   std::vector<double> slopes(const std::vector<double>& inputs, std::size_t input) const override;
-  /// That of the bore under `inputs`.
+  /// Motion of the bore under `inputs`.
   static bearing::motion::BoreMotion motion_of(const std::vector<double>& inputs);
 
-  /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
-  /// zero.
+  /// Rollers in equilibrium under the displacement of the bore, all turning at pure rolling. All inputs may
+  /// be zero.
   void initialize(const bearing::motion::BoreMotion& motion);
-  /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier
-  /// and bore are those of `motion`. Throws std::runtime_error where no balance is found.
+  /// Position of the bore at which the initial force of the bearing is -`load` [N]; speeds of carrier and
+  /// bore are those of `motion`. Throws std::runtime_error where no equilibrium is found.
   Eigen::Vector2d position_under(const Eigen::Vector2d& load,
                                  const bearing::motion::BoreMotion& motion) const;
   /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const BoreInputs& inputs);
-  /// What the bearing does to the bore under the motion at the present time: the cheap part of output().
+  /// Reaction of the bearing on the bore under the motion at the present time: the cheap part of output().
   bearing::motion::BoreReaction reaction(const bearing::motion::BoreMotion& motion) const;
   /// Under the motion at the present time.
   DrivenBearingOutput output(const bearing::motion::BoreMotion& motion) const;

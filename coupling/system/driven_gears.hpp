@@ -11,7 +11,7 @@
 namespace orbearing::system {
 
 /// All that is fixed before a run. With `set.planet.coupled_bearing` stiffness and damping of the planet's
-/// bearing serve to find the state in which the run begins; without it they act beside the forces, so that
+/// bearing serve to find the state in which the run begins; without it they act besides the forces, so that
 /// the set holds itself while others only listen.
 struct DrivenGearsSetup {
   gearset::dynamics::SetParameters set;
@@ -21,7 +21,7 @@ struct DrivenGearsSetup {
   std::vector<double> start_force;  // [N], [N], [N m]  (planets)  inputs at the start; none: zero
 };
 
-/// All that a gear set's future depends on beside its inputs, in the order of an FMU's model.
+/// All data besides its inputs on which a gear set's future depends, in the order of an FMU's model.
 template <class Visitor>
 void describe(Visitor& visit, DrivenGearsSetup& m) {
   using namespace described;

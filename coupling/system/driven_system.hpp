@@ -1,4 +1,4 @@
-// The vectorised bearing under prescribed inputs, as the linearly implicit stepper sees it.
+// The vectorised bearing under prescribed inputs, in the form for the linearly implicit stepper.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace orbearing::system {
 
-/// What a bearing did to its bore in one attempted step of ROS2, mean over the step: sums up its stages. Eq.
-/// (3) of coupling/system/README.md.
+/// Reaction of a bearing on its bore in one attempted step of ROS2, mean over the step: sums up its stages.
+/// Eq. (3) of coupling/system/README.md.
 class StageReactions {
  public:
   /// An attempt begins, at `now`.
@@ -19,7 +19,7 @@ class StageReactions {
     now_ = now;
     sum_ = {};
   }
-  /// The right-hand side of the next stage was asked for.
+  /// The right-hand side of the next stage was evaluated.
   void evaluated(const bearing::motion::BoreReaction& now) { now_ = now; }
   /// A stage was solved: `reduced` and `port` from VectorBearing, `rate` of the bore's velocity [m/s^2] and
   /// rotation [rad/s^2].
@@ -86,8 +86,8 @@ class DrivenSystem {
     bearing_.derivative(at(time), x, dx);
     reactions_.evaluated(bearing_.reaction());
   }
-  /// That of the bore's acceleration; speeds, frame and gravity in it change little in a step, and the order
-  /// does not ask for theirs.
+  /// Time derivative of the bore's acceleration; speeds, frame and gravity in it change little in a step, and
+  /// the order does not require theirs.
   void time_slope(double time, double* rate) const {
     const int bore = bearing_.layout().bore();
     std::fill_n(rate, bearing_.layout().size(), 0.0);
@@ -118,10 +118,10 @@ class DrivenSystem {
   }
   void settle(double time, std::vector<double>& x) const { put(at(time), x); }
 
-  /// What the bearing did to the bore in all steps so far [N s], [N m s].
+  /// Impulse of the bearing on the bore in all steps so far [N s], [N m s].
   const bearing::motion::BoreReaction& impulse() const { return impulse_; }
 
-  /// Puts the bore where `motion` says.
+  /// Sets the bore's position and velocity to those of `motion`.
   void put(const bearing::motion::BoreMotion& motion, std::vector<double>& x) const {
     double* bore = x.data() + bearing_.layout().bore();
     std::copy_n(motion.position.data(), 2, bore);
@@ -140,7 +140,7 @@ class DrivenSystem {
   bearing::motion::DamageSums* sums_;
   bearing::vectorised::PortMatrix port_;
   bearing::motion::BoreReaction begin_;  // at the last linearisation
-  const double* known_ = nullptr;        // rate at the beginning, where it need not be asked for
+  const double* known_ = nullptr;        // rate at the beginning, if it need not be evaluated
   StageReactions reactions_;
   bearing::motion::BoreReaction impulse_;
 };

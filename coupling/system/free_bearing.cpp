@@ -47,7 +47,7 @@ class FreeSystem {
   }
   void settle(double, std::vector<double>&) const {}
 
-  /// Where the last step began.
+  /// State at the beginning of the last step.
   const std::vector<double>& from() const { return from_; }
 
  private:

@@ -1,4 +1,4 @@
-// A planet bearing by itself, under the load that its bore gets: its integration, and its motion.
+// A single planet bearing, under the load on its bore: its integration, and its motion.
 #pragma once
 
 #include "bearing/motion/vector_bearing.hpp"
@@ -6,7 +6,7 @@
 
 namespace orbearing::system {
 
-/// What a step leaves behind: the state at its beginning and how long that state counts.
+/// Sample of a step: the state at its beginning and the duration for which that state counts.
 struct StepSample {
   double time = 0.0;              // [s]
   double weight = 0.0;            // [s]  half of the step before and half of the one after
@@ -18,7 +18,7 @@ using StepObserver = std::function<void(const StepSample&)>;
 
 /// As integration::integrate(), for `bearing` by linearly implicit steps of the order that suits it
 /// (order_of_steps()); `options.allowed_error` is that of dopri5.
-/// `observe` sees states at the output times, `on_step` every accepted step and what is left of the last one;
+/// `observe` gets states at the output times, `on_step` every accepted step and the rest of the last one;
 /// either may be empty, and a std::runtime_error of theirs ends the run as its message. The loads also go to
 /// `collector`, if any.
 integration::IntegrationReport integrate_bearing(bearing::vectorised::VectorBearing& bearing,
@@ -28,7 +28,7 @@ integration::IntegrationReport integrate_bearing(bearing::vectorised::VectorBear
                                                  const StepObserver& on_step,
                                                  bearing::motion::StatisticsCollector* collector = nullptr);
 
-/// By linearly implicit steps, or by the explicit ones that are asked for.
+/// By linearly implicit steps, or by the explicit ones on request.
 class FreeBearing final : public Motion {
  public:
   /// From the state `start`; `length_error` [m] is allowed in one step, and all other errors follow from it.

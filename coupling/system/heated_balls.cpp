@@ -130,7 +130,7 @@ bearing::Bearing warm_bearing(const bearing::Bearing& cold, const HeatParameters
   warm.elements = warm_balls;
   warm.inner.osculation = cold.inner.osculation * larger(inner_ring) / larger(balls);
   warm.outer.osculation = cold.outer.osculation * larger(outer_ring) / larger(balls);
-  // Of a groove's centre circle the part that the pitch circle does not give, towards the ball.
+  // Radius of a groove's centre circle beyond the pitch circle, towards the ball.
   const auto beyond = [&](const bearing::Bearing& of, bearing::Race race) {
     return (of.ring(race).osculation - 0.5) * of.balls().diameter * cosine;
   };
@@ -293,7 +293,7 @@ BallRunResult run_heated_balls(const bearing::Bearing& bearing,
   warm.lubricant.viscosity = warm_viscosity(parameters, heat, warming.back().temperature[oil]);
   BallRunResult result = run_balls(warm_bearing(bearing, heat, warming.back().temperature), warm, duty,
                                    capacities, options, progress);
-  // What the whole run says of the heat closes the balance.
+  // The heat of the whole run gives the last state of the heat balance.
   if (result.completed) {
     const Eigen::VectorXd last = heat_by_body(result.means.loss);
     warming.push_back({warming.back().time, network.steady(last), last});

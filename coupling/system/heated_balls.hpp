@@ -26,7 +26,7 @@ class ThermalNetwork {
   Eigen::VectorXd steady(const Eigen::VectorXd& heat) const;
   /// Temperatures [degC] after `time` [s] of steady `heat` from `temperature` on: exact.
   Eigen::VectorXd after(const Eigen::VectorXd& temperature, const Eigen::VectorXd& heat, double time) const;
-  /// What leaves to the outside [W].
+  /// Heat flow to the outside [W].
   double leaving(const Eigen::VectorXd& temperature) const;
   /// Longest and shortest time in which a difference falls to 1/e [s].
   double longest_time() const;
@@ -47,14 +47,14 @@ inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring
 /// Which bodies take in heat.
 enum class HeatModel {
   network,  // balls, rings, oil and housing
-  oil,      // the oil alone, which leaves with all heat: T = T_in + W/(c flow)
+  oil,      // only the oil, which leaves with all heat: T = T_in + W/(c flow)
 };
 
 constexpr described::Names<HeatModel, 2> names_of(HeatModel) {
   return {{{HeatModel::network, "network"}, {HeatModel::oil, "oil"}}};
 }
 
-/// How heat leaves. Conductances between two bodies, each an assumption of its size.
+/// Paths of the heat. Conductances between two bodies, each an assumption of its size.
 struct HeatParameters {
   bool on = false;
   HeatModel model = HeatModel::network;
@@ -174,7 +174,7 @@ std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatS
 /// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all
 /// bodies have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last
 /// two states are the one of which the run has the viscosity and the one to which its heat leads:
-/// `kOutletError` apart at most, or the run says that it did not settle.
+/// `kOutletError` apart at most, or the run reports that it did not settle.
 BallRunResult run_heated_balls(const bearing::Bearing& bearing,
                                const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,

@@ -26,14 +26,14 @@ constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
 // The same of steps of order 4, whose error estimate holds all that the equations have beyond linear ones.
 constexpr double kFourthOrderGearErrorFactor = 1000.0;
 
-// Whether gears and bearings go by steps of order 4.
+// Whether gears and bearings use steps of order 4.
 bool is_smooth(const CoupledModel& model) {
   for (int b = 0; b < model.bearings(); ++b)
     if (order_of_steps(model.bearing_of(b), true) != 4) return false;
   return true;
 }
 
-// Of the planets' speed against the carrier.
+// Slowness by the planets' speed against the carrier.
 double slowness_of(const CoupledModel& model) {
   const bearing::motion::BearingModel& bearing = model.bearing;
   return slowness(bearing, bearing::kinematic_cage_speed(bearing.geometry, 0.0,
@@ -143,7 +143,7 @@ void Monolithic::advance(const Window& window) {
   const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
   if (following_)
     throw std::runtime_error("monolithic solution: found follow() before a window; required: windows alone");
-  if (smooth_) smooth_->forget();  // each window by itself
+  if (smooth_) smooth_->forget();  // each window separately
   const long most = system_.steps + setup_.bearing.most_steps;
   reached_ = window.begin;
   while (reached_ < window.end) {
@@ -209,7 +209,7 @@ Eigen::VectorXd Monolithic::bearing_state(int b) const {
   return flat;
 }
 
-// Of the planet of bearing `b`.
+// Motion of the planet of bearing `b`.
 BoreMotion Monolithic::planet_motion(int b) const {
   return bore_motion(model_, model_.port_of(b), time_, system_.part(shown_.data(), 0),
                      system_.part(shown_.data(), freedoms()));

@@ -17,16 +17,16 @@ namespace orbearing::system {
 class Monolithic final : public Motion {
  public:
   /// Throws std::invalid_argument, with what was found and what is required; so where the vectorised bearing
-  /// does not know all of the model (oil in the pockets).
+  /// does not support all of the model (oil in the pockets).
   explicit Monolithic(const CoupledSetup& setup);
   Monolithic(const Monolithic&) = delete;
   Monolithic& operator=(const Monolithic&) = delete;
 
   /// See coupled_start().
   void initialize(double time);
-  /// To this state of gears and bearings, which stand where their planets do.
+  /// To this state of gears and bearings; bores are at the positions of their planets.
   void initialize(double time, const CoupledStart& start);
-  /// From `window.begin`, where the system stands, to its end, piece by piece between the jumps of the mesh
+  /// From `window.begin`, its present time, to its end, piece by piece between the jumps of the mesh
   /// stiffness. On an error (std::runtime_error) the state is not to be used.
   void advance(const Window& window);
   /// To `time` [s], not before the present one: as fast as steps go, which may pass it; what is shown of the
@@ -38,11 +38,11 @@ class Monolithic final : public Motion {
                const std::function<void(double time)>& observe) override;
 
   int planets() const { return static_cast<int>(model_.ports.size()); }
-  /// Of all planets; bearing b belongs to planet b / bearings_per_planet.
+  /// Number over all planets; bearing b belongs to planet b / bearings_per_planet.
   int bearings() const override { return system_.bearings(); }
   double time() const { return time_; }  // [s]
   DrivenGearsOutput gears() const;
-  /// What bearing `b` does to its planet.
+  /// Reaction of bearing `b` on its planet.
   bearing::motion::BoreReaction reaction(int b) const;
   void take_snapshot(int b, bearing::motion::Snapshot& into) const override;
   void observe_steps(const StepObservers& observers) override;
@@ -76,7 +76,7 @@ class Monolithic final : public Motion {
   gearset::dynamics::PlanetarySetEquations equations_;
   WithAllSlopes system_;
   std::optional<CoupledSteps> substepping_;         // of order 2
-  std::optional<integration::Rosenbrock4> smooth_;  // in its place where nothing bounces
+  std::optional<integration::Rosenbrock4> smooth_;  // instead of it if nothing bounces
   long rejected_ = 0;                               // [-]  attempts
   std::vector<double> x_;                           // as far as steps have gone
   std::vector<double> before_;                      // where the last step of follow() began

@@ -1,5 +1,5 @@
-// Bearings in motion: one by itself under its load, or all of a gear set with it, whoever integrates them and
-// however they exchange.
+// Bearings in motion: a single one under its load, or all of a gear set with it, for any integrator and
+// exchange.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,10 @@ struct BoreSample {
 };
 using BoreObserver = std::function<void(const BoreSample&)>;
 
-/// What sees every step.
+/// Observers of every step.
 struct StepObservers {
   std::vector<bearing::motion::StatisticsCollector*> loads;  // (bearings)  get the loads
-  BoreObserver on_bore;  // sees the bore of a bearing by itself; may be empty
+  BoreObserver on_bore;  // gets the bore of a single bearing; may be empty
 };
 
 /// Bearings are counted from 0.

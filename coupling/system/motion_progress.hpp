@@ -1,4 +1,4 @@
-// How far motions in progress are and what they show, for whoever watches the process.
+// Progress and present state of motions, for observers of the process.
 #pragma once
 
 #include <algorithm>
@@ -25,9 +25,9 @@ struct MotionProgress {
 };
 using MotionObserver = std::function<void(const MotionProgress&)>;
 
-/// While it lives `observer` is called for a motion of the process, from any thread, one call at a time, not
-/// more than twenty times a second. Of several motions the first is followed to its end, then another one.
-/// All such objects see the same motion.
+/// During its lifetime `observer` is called for a motion of the process, from any thread, one call at a time,
+/// not more than twenty times a second. Several motions: the first is followed to its end, then another one.
+/// All such objects observe the same motion.
 class ObservedMotions {
  public:
   explicit ObservedMotions(MotionObserver observer);
@@ -57,7 +57,7 @@ class WatchedMotion {
   WatchedMotion& operator=(const WatchedMotion&) = delete;
   ~WatchedMotion();
 
-  /// Whether the observer waits for this motion. Costs next to nothing where nobody watches.
+  /// Whether the observer waits for this motion. Costs almost nothing without an observer.
   bool is_due() const;
   /// Does not change what is computed. Which run it is in turn is filled in.
   void tell(MotionProgress now) const;

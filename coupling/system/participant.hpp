@@ -1,5 +1,5 @@
-// What others drive in time: a bearing or a set of gears behind described inputs and outputs. The master of a
-// co-simulation and the C interfaces of FMUs both see it so.
+// A driven model in time: a bearing or a set of gears behind described inputs and outputs. The master of a
+// co-simulation and the C interfaces of FMUs both use it in this form.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace orbearing::system {
 
-/// Of an input or output that is not there.
+/// Index of an input or output that does not exist.
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 struct Input {
@@ -44,14 +44,14 @@ class Participant {
 
   /// To the state at `time` [s] under the inputs of that instant.
   virtual void initialize(double time, const std::vector<double>& inputs) = 0;
-  /// Before that: puts values that fit the parameters and the other inputs in place of those that nobody gave.
+  /// Before that: replaces values that nobody gave by values that fit the parameters and the other inputs.
   virtual void complete(std::vector<double>& inputs, const std::vector<bool>& given) const {
     (void)inputs, (void)given;
   }
   /// Then, before the first window, with the others' output: nearer to the state in which all are in
-  /// balance.
+  /// equilibrium.
   virtual void balance(double time, const std::vector<double>& inputs) { initialize(time, inputs); }
-  /// From `window.begin`, where it stands, to its end; polynomials count from the beginning.
+  /// From `window.begin`, its present time, to its end; polynomials count from the beginning.
   virtual void advance(const Window& window, const std::vector<InputPolynomial>& inputs) = 0;
   /// The first `number` outputs under the inputs of the present time; those that cost little come first.
   virtual std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const = 0;

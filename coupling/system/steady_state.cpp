@@ -25,8 +25,8 @@ using constants::two_pi;
 using integration::OutputTimes;
 
 constexpr double kLongestWindow =
-    4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
-// Where loads are taken at every step, fewer states do for all other means:
+    4.0;  // of a kinematic revolution: a stationary cage must not hold up the run
+// If loads are taken at every step, fewer states are sufficient for all other means:
 constexpr long kSamplesPerState = 5;            // of the series, for one state of the means
 constexpr double kGolden = 0.6180339887498949;  // [-]
 constexpr long kSamplesApart = 25;              // of the series, on the way to the steady state
@@ -101,9 +101,9 @@ class Observation {
   /// The time [s] that the motion is expected to come to, for those who watch.
   void expect(double end) { expected_ = end; }
 
-  /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
-  /// Without it only what tells a steady state is looked at: loads, and the cage's turn from end to end.
-  /// Where the look among them ends the run, `times` end there.
+  /// Means of all bearings over `times`; `series`, if given, keeps the last `per_window` of the first one.
+  /// Without it only the criteria of a steady state are computed: loads, and the cage's turn from end to end.
+  /// If the look among them ends the run, `times` end there.
   std::vector<WindowStatistics> through(OutputTimes& times, long per_window, BearingSeries* series) {
     StepObservers observers{{}, series ? options_.on_bore : BoreObserver()};
     for (int b = 0; b < motion_.bearings(); ++b) {
@@ -140,8 +140,8 @@ class Observation {
   }
 
  private:
-  // Where steps show loads, one bearing at a time gives the states that tell all else, and all of them the
-  // last. Which one follows the golden ratio, so that none is always seen in the same place.
+  // If steps show loads, one bearing at a time gives the states for all other means, and all of them the
+  // last. The order follows the golden ratio, so that no bearing is always observed in the same position.
   void show(double time, long sample, long states, bool last, Recorder& recorder) {
     const bool all = last || !motion_.shows_steps();
     const double turns = kGolden * static_cast<double>(sample / states);
@@ -177,7 +177,7 @@ class Observation {
 };
 
 // Windows in turn. One lasts a revolution of the cage: at the speed that it had in the window before, or at
-// the kinematic one where one interval holds for all; or as long as is asked for.
+// the kinematic one where one interval holds for all; or as long as is stated.
 class Windows {
  public:
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
@@ -212,7 +212,7 @@ class Windows {
  private:
   Motion& motion_;
   const SteadyStateOptions& options_;
-  double revolution_;  // [s]  of the cage at its kinematic speed, or of a window that is asked for
+  double revolution_;  // [s]  of the cage at its kinematic speed, or of a stated window
   Observation observation_;
   long per_window_;  // samples
   int begun_ = 0;    // windows on the way to the steady state

@@ -1,4 +1,4 @@
-// Bearings in motion, run in time until their means stand still, then observed over whole cage revolutions.
+// Bearings in motion, run in time until their means are steady, then observed over whole cage revolutions.
 #pragma once
 
 #include <cmath>
@@ -13,20 +13,20 @@
 
 namespace orbearing::system {
 
-/// A question among the observed windows: is it worth to observe the others, too?
+/// Optional check among the observed windows: whether the others are to be observed too.
 struct Look {
-  int windows = 0;                     // observed when it is asked; 0: it is not
+  int windows = 0;                     // observed before the check; 0: no check
   std::function<bool()> goes_on = {};  // false: the run ends there with the means so far; its series is void
 };
 
-/// What belongs to the method. A window is one revolution of the cage relative to the carrier, where gravity
-/// turns in its frame one of the carrier.
+/// Settings of the method. A window is one revolution of the cage relative to the carrier; with gravity, one
+/// of the carrier.
 struct SteadyStateOptions {
   double first_roller = 0.0;            // [rad]  angle of the first roller at the start
   double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
   double cage_drift = 1e-3;             // [-]  steady: cage speeds differ by no more of the kinematic one
-  int least_windows = 2;                // [-]  before the criterion is asked
-  int most_windows = 20;                // [-]  before the run is observed all the same, and says so
+  int least_windows = 2;                // [-]  before the criterion is checked
+  int most_windows = 20;                // [-]  before the run is observed all the same, with a message
   int observed_windows = 3;             // [-]  averaged once steady; at least ten for reliable maxima
   long samples_per_window = 2000;       // [-]
   long series_samples = 500;            // [-]  of the last window, kept as time series
@@ -34,8 +34,8 @@ struct SteadyStateOptions {
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
   double load_error_share = 2e-5;  // [-]  of the elastic approach of the most loaded roller at rest, where
                                    //      that allows more
-  integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
-  BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
+  integration::IntegrationOptions integration;  // of a single bearing; allowed_error is filled in
+  BoreObserver on_bore = {};  // gets the observed windows of a single bearing, step by step; may be empty
   Look look = {};
   double window = 0.0;  // [s]  of a window; 0: a revolution of the cage
 };
@@ -47,7 +47,7 @@ inline SteadyStateOptions with_window(SteadyStateOptions options, const bearing:
   return options;
 }
 
-/// Of a bearing that is driven too.
+/// Also used for a driven bearing.
 inline described::Row<double> length_error_row(double& allowed_length_error) {
   using namespace described;
   return field(allowed_length_error, "simulation.length_error", Physics::motion,
@@ -60,7 +60,7 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
                 .numerical = true});
 }
 
-/// What a case states of it.
+/// Parameters in a case.
 template <class Visitor>
 void describe(Visitor& visit, SteadyStateOptions& m) {
   using namespace described;
@@ -127,25 +127,25 @@ struct BearingSeries {
   Eigen::ArrayXd power_loss;   // [W]
 };
 
-/// What pure rolling would give.
+/// Speeds at pure rolling.
 struct RollingSpeeds {
   double cage = 0.0;  // [rad/s]  relative to the carrier
   double spin = 0.0;  // [rad/s]  of a roller
 };
 
-/// What a run gives. Of several bearings loads are as if all were passages of one.
+/// Result of a run. For several bearings, loads are as if all were passages of one.
 struct SteadyStateResult {
-  bool completed = false;  // false: `message` says why and the means hold what there was, if anything
+  bool completed = false;  // false: reason in `message`; the means are those so far, if any
   bool steady = false;     // false with completed: the means drifted to the end
   std::string message;
   bearing::motion::WindowStatistics statistics;             // over the observed windows
   std::vector<bearing::motion::WindowStatistics> bearings;  // the same, bearing by bearing
-  // Each window on the way to the steady state; but for loads and the cage's speed at its end alone.
+  // Each window on the way to the steady state; except loads and the cage's speed, at its end only.
   std::vector<bearing::motion::WindowStatistics> windows;
   BearingSeries series;  // of the first bearing in the last window
   RollingSpeeds rolling;
   double duration = 0.0;        // [s]  from the start to the end of what was observed
-  Eigen::VectorXd final_state;  // of a bearing by itself, in the order of `layout`
+  Eigen::VectorXd final_state;  // of a single bearing, in the order of `layout`
   bearing::motion::StateLayout layout{};
   integration::IntegrationReport report;  // summed over all windows; smallest step of all
 
@@ -157,7 +157,7 @@ struct SteadyStateResult {
 /// all.
 bearing::motion::WindowStatistics pooled(const std::vector<bearing::motion::WindowStatistics>& bearings);
 
-/// Whether the means stand still from one window to the next.
+/// Whether the means are steady from one window to the next.
 bool is_steady(const bearing::motion::WindowStatistics& before, const bearing::motion::WindowStatistics& now,
                double kinematic_cage_speed, const SteadyStateOptions& options);
 
@@ -167,13 +167,13 @@ double window_length(const RollingSpeeds& rolling, const SteadyStateOptions& opt
 /// Time [s] between two samples of a motion that keeps to one interval.
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options);
 
-/// Runs `motion` from where it stands in windows until the pooled loads and the cage
-/// stand still, then observes `options.observed_windows` of them. Throws std::invalid_argument where the cage
-/// does not turn; what goes wrong later is in the result.
+/// Runs `motion` from its present state in windows until the pooled loads and the cage are steady, then
+/// observes `options.observed_windows` of them. Throws std::invalid_argument where the cage does not turn;
+/// later errors are in the result.
 SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
                                       const SteadyStateOptions& options);
 
-/// One bearing by itself at `point`, from the state `start` (the final state of a neighbouring operating
+/// A single bearing at `point`, from the state `start` (the final state of a neighbouring operating
 /// point), without one from its quasi-static state. Throws std::invalid_argument for input that
 /// bearing_model() refuses, and for a run-up.
 SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,

@@ -39,8 +39,8 @@ void add_stage_sets(const std::string& side, const std::vector<StageTeeth>& stag
           {stages.size() == 1 ? side : side + "_" + std::to_string(i + 1), stages[i][0], 0, stages[i][1]});
 }
 
-// Of a pair the gear `inner` joins the shaft that had the motor or the load, and the shaft of its mate has it
-// now.
+// Adds a gear pair: the gear `inner` joins the shaft that had the motor or the load; the motor or the load
+// moves to the shaft of its mate.
 void join_stage(std::size_t set, Member inner, bool Shaft::*role, Arrangement& arrangement) {
   const auto had = std::find_if(arrangement.shafts.begin(), arrangement.shafts.end(),
                                 [&](const Shaft& shaft) { return shaft.*role; });

@@ -1,4 +1,4 @@
-// Several planetary sets on common shafts: who is joined to whom, and where power enters and leaves.
+// Several planetary sets on common shafts: their connections, and the shafts of power input and output.
 //
 //      motor                                  load
 //        |                                      |
@@ -17,8 +17,8 @@
 
 namespace orbearing::gearset {
 
-/// What of a set decides speeds and torques. A parallel stage is one whose carrier is the housing, its first
-/// gear the sun and its second the ring: z_1 w_1 + z_2 w_2 = 0.
+/// Data of a set that determine speeds and torques. A parallel stage is one whose carrier is the housing, its
+/// first gear the sun and its second the ring: z_1 w_1 + z_2 w_2 = 0.
 struct ArrangedSet {
   std::string name;  // for messages
   int sun_teeth = 0;
@@ -45,7 +45,7 @@ struct Shaft {
   bool ground = false;  // held by the housing
 };
 
-/// Every member stands on one shaft; one shaft has the motor.
+/// Every member is on one shaft; one shaft has the motor.
 struct Arrangement {
   std::vector<ArrangedSet> sets;
   std::vector<Shaft> shafts;
@@ -58,7 +58,7 @@ Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& 
 
 /// The word for a member: "sun", "ring" or "carrier".
 const char* member_word(Member member);
-/// Of a parallel stage "first", "second" or "housing".
+/// Members of a parallel stage: "first", "second" or "housing".
 const char* member_word(const ArrangedSet& set, Member member);
 
 /// "reduction.sun".

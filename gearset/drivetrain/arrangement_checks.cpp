@@ -25,7 +25,7 @@ Eigen::MatrixXd willis_matrix(const Arrangement& arrangement) {
   return weights;
 }
 
-// Of all sets, then shaft by shaft of grounds and of shafts that have the port.
+// Origins of all sets, then shaft by shaft of grounds and of shafts that have the port.
 std::vector<Origin> origins_of(const Arrangement& arrangement, bool Shaft::*port) {
   std::vector<Origin> origins;
   for (std::size_t set = 0; set < arrangement.sets.size(); ++set) origins.push_back({Origin::Kind::set, set});
@@ -171,8 +171,8 @@ void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& pr
     problems.push_back({{index}, {}, "no member of a set", "a shaft that rotates a member is required"});
 }
 
-// Shafts that turn one member and nothing else. Where all speeds are known all the same, they leave their set
-// without torque: it idles. Else they are the likeliest slip.
+// Shafts that turn one member and nothing else. If all speeds are known, they leave their set without torque:
+// it idles. Else they are the likeliest error.
 Problems floating_members(const Arrangement& arrangement) {
   Problems problems;
   for (std::size_t index = 0; index < arrangement.shafts.size(); ++index) {
@@ -211,7 +211,7 @@ void check_member(const Arrangement& arrangement, const SetMember& member, Probl
                         "each member once is required"});
 }
 
-/// What can be seen without solving anything.
+/// Problems found without a solution of the equations.
 Problems structural_problems(const Arrangement& arrangement) {
   Problems problems;
   check_ports(arrangement, problems);
@@ -262,7 +262,7 @@ void check_speed_freedom(const Arrangement& arrangement, const ArrangementSystem
   problems.push_back(std::move(problem));
 }
 
-// With all speeds fixed, the torques fail to balance only where the power cannot leave.
+// With all speeds fixed, the torques are out of equilibrium only if the power cannot leave.
 void check_torque_conflict(const Arrangement& arrangement, const ArrangementSystem& system,
                            Problems& problems) {
   if (is_consistent(system.matrix, system.right)) return;
@@ -305,7 +305,7 @@ void check_torque_freedom(const Arrangement& arrangement, const ArrangementSyste
 
 namespace {
 
-/// What only the equations of speeds and torques show.
+/// Problems found only by the equations of speeds and torques.
 Problems problems_of_motion(const Arrangement& arrangement) {
   Problems problems;
   const ArrangementSystem speeds = speed_system(arrangement);

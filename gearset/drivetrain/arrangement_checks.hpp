@@ -14,7 +14,7 @@ namespace orbearing::gearset {
 // The linear equations of an arrangement, each row and column with a name, so that a fault can be stated in
 // the user's words. Eqs. (26) to (29) of gearset/README.md.
 
-/// Where an equation of the speeds, or a torque that is not known beforehand, comes from.
+/// Origin of an equation of the speeds, or of a torque that is not known beforehand.
 struct Origin {
   enum class Kind { set, ground, port };  // port: the motor of speeds, the load of torques
   Kind kind = Kind::set;
@@ -38,7 +38,7 @@ ArrangementSystem speed_system(const Arrangement& arrangement);
 /// the torques of grounds and loads, over the torque of the motor. Rows: shafts.
 ArrangementSystem torque_system(const Arrangement& arrangement);
 
-/// What is wrong, where, and what is required. The text names the members and shafts.
+/// The fault, its location, and the requirement. The text names the members and shafts.
 struct ArrangementProblem {
   std::vector<std::size_t> shafts;  // concerned, the likeliest culprit first; empty: none to name
   std::vector<SetMember> members;   // at fault

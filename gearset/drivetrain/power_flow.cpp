@@ -66,7 +66,7 @@ void put_member(const MemberFlow& member, PowerFlow& flow) {
   flow.members[3 * member.member.set + static_cast<std::size_t>(member.member.member)] = member;
 }
 
-// What acts on a shaft from outside is what its members take. Eqs. (28) and (30).
+// The external torque on a shaft is the sum of the torques of its members. Eqs. (28) and (30).
 void put_shaft(const Arrangement& arrangement, const Eigen::VectorXd& speeds,
                const Eigen::VectorXd& set_torque, std::size_t index, PowerFlow& flow) {
   ShaftFlow& shaft = flow.shafts[index];

@@ -35,15 +35,15 @@ struct SetBodies {
 /// @throws std::domain_error where an outline leaves no body under the teeth
 SetBodies set_bodies(const PlanetarySet& set, const WorkingGeometry& geometry, const BodyOutlines& outlines);
 
-/// Radial stiffness of what holds a member where no design is given. [N/m]  Assumption: similar designs,
-/// whose stiffness is proportional to modulus and size. Of steel 1e8 N/m for a sun of 111 mm (an overhung
+/// Radial stiffness of the support of a member without a stated design. [N/m]  Assumption: similar designs,
+/// whose stiffness is proportional to modulus and size. For steel: 1e8 N/m for a sun of 111 mm (an overhung
 /// shaft of half that diameter, 2.5 of its diameters long, has 3 E I/l^3 = 1.08e8 N/m), 5e8 N/m for a carrier
 /// in two bearings at a centre distance of 88.5 mm, 1e9 N/m for a ring of 237 mm in its housing; sizes at the
 /// reference circles.
 double default_support_stiffness(const PlanetarySet& set, Member member, double youngs_modulus);
 
 /// Stiffness of the same shaft of the sun, whose radial stiffness is `support` [N/m], against tilting of the
-/// sun by a moment alone: E I/l where that is the default, and in proportion. [N m/rad]
+/// sun by a moment only: E I/l where that is the default, and in proportion. [N m/rad]
 double default_sun_tilt_stiffness(const PlanetarySet& set, double support, double youngs_modulus);
 
 /// Least backlash recommended by ISO/TR 10064-2, along the line of action in the transverse section. [m]

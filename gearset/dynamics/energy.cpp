@@ -26,7 +26,7 @@ double centrifugal_energy(const SetModel& model, const CarrierTurn& turn, const 
   return -0.5 * turn.centrifugal * squares;
 }
 
-// Of the symmetric part of the stiffness; the rest stores nothing.
+// Energy of the symmetric part of the stiffness; the rest stores nothing.
 double bearing_energy(const SetModel& model, const State& q) {
   if (model.parameters.planet.coupled_bearing) return 0.0;
   const AffineBearing law = bearing_law(model.parameters.planet);

@@ -20,15 +20,15 @@ struct Energy {
 /// Energy at `time` [s], without that of coupled bearings.
 Energy energy(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// What changes the energy; between jumps of the stiffness d energy / dt = input() - loss(). At a jump the
-/// stored energy itself jumps by 1/2 [k] approach^2.
+/// Powers that change the energy; between jumps of the stiffness d energy / dt = input() - loss(). At a jump
+/// the stored energy itself jumps by 1/2 [k] approach^2.
 struct PowerFlow {
   double drive = 0.0;      // [W]  driving and load torques, beyond those of the nominal rotation
-  double stiffness = 0.0;  // [W]  of whoever changes the stiffness, 1/2 k' approach^2, or turns loaded teeth
-  double error = 0.0;      // [W]  of whoever moves the flanks: - force x error rate
-  double frame = 0.0;  // [W]  of whoever turns the frame: Euler terms, rates of the centrifugal potential,
-                       //      dampers of the housing
-  double mesh_loss = 0.0;     // [W]  dampers
+  double stiffness = 0.0;  // [W]  of the change of stiffness, 1/2 k' approach^2, or of turning loaded teeth
+  double error = 0.0;      // [W]  of moving the flanks: - force x error rate
+  double frame = 0.0;      // [W]  of turning the frame: Euler terms, rates of the centrifugal potential,
+                           //      dampers of the housing
+  double mesh_loss = 0.0;  // [W]  dampers
   double bearing_loss = 0.0;  // [W]
   double support_loss = 0.0;  // [W]
 

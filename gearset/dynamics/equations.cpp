@@ -45,7 +45,7 @@ void add_planet_bearings(const SetModel& model, const Positions& q, const Positi
 void add_supports(const SetModel& model, const CarrierTurn& turn, const Positions& q, const Positions& v,
                   Forces force) {
   const auto add = [&](Eigen::Index index, const Support& support) {
-    // The housing's damper sees the velocity in the housing, not that in the carrier's frame.
+    // The housing's damper acts on the velocity in the housing, not on that in the carrier's frame.
     const Eigen::Vector2d velocity = velocity_in_housing(turn, q.segment<2>(index), v.segment<2>(index));
     force.segment<2>(index) -= support.stiffness * q.segment<2>(index) + support.damping * velocity;
     force[index + 2] -= support.torsional_stiffness * q[index + 2] + support.torsional_damping * v[index + 2];

@@ -8,7 +8,7 @@
 
 namespace orbearing::gearset::dynamics {
 
-/// What the gear set shows to bearings that are computed elsewhere: each planet's axis relative to its pin,
+/// Outputs of the gear set to bearings that are computed elsewhere: each planet's axis relative to its pin,
 /// outward and in the sense of rotation, and its rotation relative to the carrier, counterclockwise.
 /// Conjugate to force and moment of the bearing on the planet.
 struct BearingPorts {
@@ -18,7 +18,7 @@ struct BearingPorts {
   Eigen::VectorXd speed;          // [rad/s]  (planets)  beyond the nominal rotation
 };
 
-/// What coupled bearings put on their planets; reversed on carrier and pins.
+/// Loads of coupled bearings on their planets; reversed on carrier and pins.
 struct PortLoads {
   Eigen::Matrix2Xd force;  // [N]    (2, planets)  outward and in the sense of rotation
   Eigen::VectorXd moment;  // [N m]  (planets)  about the planet's axis, counterclockwise

@@ -18,7 +18,7 @@ inline MeshClock mesh_clock(const Operation& operation, double time) {
   return {mesh_periods(operation, time), operation.mesh_frequency * speed_at(operation, time).factor};
 }
 
-/// What time alone decides of a mesh at one instant.
+/// Quantities of a mesh at one instant that depend on time only.
 struct MeshExcitation {
   double phase = 0.0;           // [mesh period]
   double frequency = 0.0;       // [Hz]

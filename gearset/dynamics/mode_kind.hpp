@@ -22,8 +22,8 @@ struct KindShapes {
   Eigen::MatrixXcd shapes;  // (freedoms, number)  orthonormal
 };
 
-/// Shares of a motion's kinetic energy, by kind; their sum is 1. A harmonic of a steady vibration is of one
-/// kind alone where the planets follow each other at equal phase steps.
+/// Shares of a motion's kinetic energy, by kind; their sum is 1. A harmonic of a steady vibration is of a
+/// single kind if the planets follow each other at equal phase steps.
 struct KindShares {
   double rotational = 0.0;     // [-]
   double translational = 0.0;  // [-]
@@ -33,9 +33,8 @@ struct KindShares {
 /// @param shape (freedoms) in the coordinates sqrt(mass) x position; not zero
 KindShares kind_shares(const SetModel& model, const Eigen::VectorXcd& shape);
 
-/// Splits the space that the columns of `shapes` span, which share one frequency, into parts of one kind.
-/// Where a shape belongs to no kind alone, the largest part names it. Eq. (13) of
-/// gearset/dynamics/README.md.
+/// Splits the space that the columns of `shapes` span, which share one frequency, into parts of one kind. A
+/// shape of mixed kind gets the kind of its largest part. Eq. (13) of gearset/dynamics/README.md.
 /// @param shapes (freedoms, number) in the coordinates sqrt(mass) x position
 std::vector<KindShapes> by_kind(const SetModel& model, const Eigen::MatrixXcd& shapes);
 

@@ -10,8 +10,8 @@
 
 namespace orbearing::gearset::dynamics {
 
-// Where each variable of the planetary set stands in the flat state, and what it is called. No other file
-// knows.
+// Position of each variable of the planetary set in the flat state, and its name. This is the only file that
+// defines them.
 //
 //   positions [ sun x y u | ring x y u | carrier x y u | planet 1 x y u | ... ], then the same as velocities
 //
@@ -37,7 +37,7 @@ struct SetLayout {
 /// Name and unit of each variable in the order of the state, e.g. "planet_3_y [m]"; planets count from 1.
 std::vector<std::string> variable_names(const SetLayout& layout);
 
-// How far teeth and bearings are pressed together, as linear functions of two bodies' positions.
+// Deflections of teeth and bearings, as linear functions of two bodies' positions.
 
 /// Coefficients of (x, y, u) of a central member and of a planet in one deflection [-].
 struct DeflectionVector {

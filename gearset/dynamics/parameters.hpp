@@ -1,4 +1,4 @@
-// What the user states about the bodies, springs and meshes of a planetary set, and what drives it.
+// Parameters of the bodies, springs and meshes of a planetary set, and of its drive.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace orbearing::gearset::dynamics {
 
-// Rows of what a case states of the bodies too, there to stand in for what follows from the teeth.
+// Rows of the bodies in a case; their values replace those derived from the teeth.
 
 inline std::string described_body(const std::string& name) {
   return "gearset.dynamics." + name;
@@ -83,7 +83,7 @@ described::Row<Member> bearing_stiffness_row(Member& stiffness) {
                 .fmu = InFmu::parameter});
 }
 
-/// How the housing holds a central member. Rotations count as u = radius x angle.
+/// Support of a central member by the housing. Rotations count as u = radius x angle.
 struct Support {
   double stiffness = 0.0;            // [N/m]    x and y; 0: floating
   double damping = 0.0;              // [N s/m]  x and y
@@ -148,8 +148,8 @@ struct PlanetMember {
   double bearing_stiffness = 0.0;  // [N/m]    planet to carrier, radial and tangential; all its bearings
   double bearing_damping = 0.0;    // [N s/m]  the same
   bool coupled_bearing = false;    // forces come through a port; the two above are not used
-  std::optional<AffineBearing> affine_bearing;  // in place of the stiffness and damping above
-  std::optional<LinkedPlanet> linked;           // in place of its own and of the mean stiffness of its meshes
+  std::optional<AffineBearing> affine_bearing;  // instead of the stiffness and damping above
+  std::optional<LinkedPlanet> linked;           // instead of its own and of the mean stiffness of its meshes
 };
 
 template <class Visitor>
@@ -222,7 +222,7 @@ struct SetParameters {
   std::vector<double> ring_phase;  // [mesh period]  (planets)
   Eigen::Matrix2Xd pin_error;  // [m]  (radial and tangential, planets)  of the pin in the carrier; or empty
   FrameSwitches frame;
-  double gravity = 0.0;    // [m/s^2]  across the axis, on planets alone; 0: without weight
+  double gravity = 0.0;    // [m/s^2]  across the axis, on planets only; 0: without weight
   bool separation = true;  // teeth push only, beyond half the backlash; false: they also pull
 };
 
@@ -254,11 +254,11 @@ struct Operation {
   Member driven = Member::sun;
   double power = 0.0;           // [W]   enters by the driven member, whatever its speed
   Speeds speeds;                // [rad/s]  nominal
-  Torques torques;              // [N m]    external, in balance at nominal speed
+  Torques torques;              // [N m]    external, in equilibrium at nominal speed
   double mesh_frequency = 0.0;  // [Hz]  at nominal speed
   RunUp run_up;
-  /// What the moments of coupled bearings take from the rotation of the set, the load does not get: the set
-  /// keeps its mean speed. False: the load's torque stays, and friction slows the set down.
+  /// True: the load torque decreases by the friction moments of coupled bearings, and the set keeps its mean
+  /// speed. False: the load torque is constant, and friction slows the set down.
   bool load_yields = true;
 };
 

@@ -1,4 +1,4 @@
-// What becomes of a small motion of the set over one mesh period: Floquet's theory.
+// Change of a small motion of the set over one mesh period: Floquet's theory.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace orbearing::gearset::dynamics {
 /// dampers, turning frame and a drive of constant power included.
 class PeriodMap {
  public:
-  /// @throws std::invalid_argument for a run-up, and for a set that stands
+  /// @throws std::invalid_argument for a run-up, and for a set at zero speed
   explicit PeriodMap(const SetModel& model);
 
   /// The fastest rate [1/s] at which a motion grows, of Floquet's multipliers: springs that pump are seen. At

@@ -26,7 +26,7 @@ void force_slopes(const SetModel& model, double time, const Eigen::Ref<const Eig
 /// allocated after the first use.
 class StageMatrix {
  public:
-  /// Of the slopes of all forces, with `g` [s] the implicit share of the step.
+  /// Builds the matrix from the slopes of all forces, with `g` [s] the implicit share of the step.
   void assemble(const SetModel& model, const ForceSlopes& slopes, double g);
   /// Adds to the rows of a planet and of the carrier: `matrix` acts on the motion of the port, displacement
   /// and rotation, `of_carrier` and `of_planet` times theirs, and pushes along it. [kg] with lengths for all

@@ -76,7 +76,7 @@ MatrixXd solve(const SetModel& model, MatrixXd stiffness, MatrixXd force) {
   return mechanics::least_squares(stiffness, force, kRigid);
 }
 
-// Forces out of balance, where the teeth that touch are those that touch at `q`. Held freedoms have none.
+// Unbalanced forces, where the teeth that touch are those that touch at `q`. Held freedoms have none.
 VectorXd imbalance(const SetModel& model, const MatrixXd& centrifugal, const VectorXd& q) {
   const ContactState contact = contact_at(model, q);
   const VectorXd force = loads_with(model, contact) - (stiffness_with(model, contact) + centrifugal) * q;

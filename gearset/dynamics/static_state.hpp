@@ -1,4 +1,4 @@
-// Where the set rests under its mean loads.
+// Static equilibrium of the set under its mean loads.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 namespace orbearing::gearset::dynamics {
 
 /// State at rest in the carrier's frame with mean mesh stiffness and mean errors, centrifugal forces
-/// included. Of the rotations that cost nothing, none takes place. Solved for the flanks in contact, until
-/// those found in contact are the same.
+/// included. Rotations without stiffness are zero. Solved for the flanks in contact, until those found in
+/// contact are the same.
 /// @throws std::runtime_error where no equilibrium is found
 Eigen::VectorXd static_state(const SetModel& model);
 
@@ -26,7 +26,8 @@ class StaticSet {
   Eigen::VectorXd at(const Eigen::Matrix2Xd& offset);
   /// Force [N] of the bearings on each planet (2, planets) in such a state.
   Eigen::Matrix2Xd bearing_forces(const Eigen::VectorXd& state, const Eigen::Matrix2Xd& offset) const;
-  /// How they follow the pins [N/m] (2 planets, 2 planets), while the flanks in contact stay the same.
+  /// Their derivatives by the offsets of the pins [N/m] (2 planets, 2 planets), while the flanks in contact
+  /// stay the same.
   const Eigen::MatrixXd& forces_by_offset() const { return forces_by_offset_; }
 
  private:

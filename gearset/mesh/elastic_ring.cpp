@@ -97,7 +97,8 @@ ArcTerms arc_terms(int order, double theta) {
           2.0 * (std::sin(n * theta) / (n * n) - theta * std::cos(n * theta) / n) / pi};
 }
 
-// What unit force across, unit moment and unit force along the tooth do at the middle of its root.
+// Deflections at the middle of the tooth root by a unit force across, a unit moment and a unit force along
+// the tooth.
 struct Flexibility {
   double across_by_force = 0.0;
   double across_by_moment = 0.0;

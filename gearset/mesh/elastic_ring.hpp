@@ -1,5 +1,4 @@
-// The body of a gear as an elastic ring, held rigidly at one edge and loaded at the other where a tooth
-// stands.
+// The body of a gear as an elastic ring, held rigidly at one edge and loaded at the other under a tooth.
 #pragma once
 
 #include "gearset/mesh/foundation.hpp"

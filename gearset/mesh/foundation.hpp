@@ -1,4 +1,4 @@
-// How far a tooth gives way because the body of its gear gives way under it.
+// Deflection of a tooth caused by the deflection of the gear body under it.
 #pragma once
 
 #include "gearset/tooth_form.hpp"
@@ -6,7 +6,7 @@
 
 namespace orbearing::gearset {
 
-// How the force in a mesh lies on a tooth, by the place of contact on the line of action.
+// Line of the mesh force on a tooth, by the position of contact on the line of action.
 
 /// Line of the force on one tooth, in the frame of the tooth: axis of symmetry and gear axis.
 struct ToothLoad {
@@ -24,7 +24,7 @@ ToothLoad tooth_load(const RingTooth& tooth, double tangent_length);
 
 /// The body under a tooth.
 struct FoundationBody {
-  double root_radius = 0.0;  // [m]    radius of the circle that the tooth stands on
+  double root_radius = 0.0;  // [m]    radius of the circle at the root of the tooth
   double half_angle = 0.0;   // [rad]  half the angle that the tooth spans there
   double body_radius = 0.0;  // [m]    where the body is held: the bore; of a ring, the outside
   double helix_angle = 0.0;  // [rad]  of its teeth

@@ -1,4 +1,4 @@
-// Mesh stiffness by the standard's regression: a second opinion beside the stiffness from tooth geometry.
+// Mesh stiffness by the standard's regression: for comparison with the stiffness from tooth geometry.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace orbearing::gearset {
 
-/// What method B of ISO 6336-1 asks of a pair, in either order: the gear with fewer teeth is the pinion,
-/// of two with as many that of the larger shift.
+/// Input of method B of ISO 6336-1 for a pair, in either order: the gear with fewer teeth is the pinion, of
+/// two with as many that of the larger shift.
 struct Iso6336Pair {
   int first_teeth = 0;
   int second_teeth = 0;       // 0: a ring, counted as infinitely many teeth

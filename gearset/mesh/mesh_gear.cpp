@@ -43,7 +43,7 @@ BeamSlice polar_slice(double radius, double half_angle, double radius_slope, dou
           .measure = std::abs(radius_slope * cosine - radius * sine * half_angle_slope)};
 }
 
-// By the rack's normal angle, since the thickness has an infinite slope over the place at the root circle.
+// By the rack's normal angle, since the thickness has an infinite slope over the position at the root circle.
 BeamPiece trochoid_piece(const ExternalTooth& tooth) {
   const auto slice = [&tooth](double normal_angle) {
     const TrochoidPoint point = trochoid_point(tooth, normal_angle);

@@ -1,4 +1,4 @@
-// One gear of a mesh: how its tooth and body give way under the force at a point of contact.
+// One gear of a mesh: compliance of its tooth and body under the force at a point of contact.
 #pragma once
 
 #include <functional>
@@ -36,16 +36,16 @@ struct BeamCompliance {
 };
 
 /// Compliance of a clamped beam under a force at `force_angle` to the line across, whose line cuts the beam's
-/// axis at `axis_place`. Eqs. (3) to (5) of gearset/mesh/README.md [YangLin1987].
+/// axis at `axis_position`. Eqs. (3) to (5) of gearset/mesh/README.md [YangLin1987].
 /// @param pieces     from the root to the section at which the force enters
 /// @param force_angle [rad]
-/// @param axis_place  [m] counted as BeamSlice::place
+/// @param axis_position [m] counted as BeamSlice::position
 /// @param width       [m]
 BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_position,
                                double width, const mechanics::Material& material);
 
-/// Compliance of a tooth between its root circle and the point of contact; places are distances from the
-/// gear's axis, so root fillets and undercuts count with their true form.
+/// Compliance of a tooth between its root circle and the point of contact; positions are distances from the
+/// gear's axis, so root fillets and undercuts are included with their true form.
 /// @param face_width [m]
 BeamCompliance tooth_compliance(const ExternalTooth& tooth, const ToothLoad& load, double face_width,
                                 const mechanics::Material& material);
@@ -65,7 +65,7 @@ struct MeshGear {
 /// Which law of the foundation an external gear has.
 enum class Foundation {
   polynomials,   // of [Sainsot2004], the elastic ring where these are of no use
-  elastic_ring,  // exact: beside a rim that bends as a whole
+  elastic_ring,  // exact: in addition to a rim that bends as a whole
 };
 
 /// An external gear on a rigid shaft.

@@ -17,7 +17,7 @@ bool internal(const MeshingGears& gears) {
   return std::holds_alternative<RingTooth>(gears.first.tooth);
 }
 
-// Tangent length on the first gear of the point at `place` on the second: along the common line of action
+// Tangent length on the first gear of the point at `position` on the second: along the common line of action
 // the lengths of external gears add up, those of a ring and its planet differ by a constant.
 double position_on_first(const MeshingGears& gears, double position) {
   return internal(gears) ? gears.line_length + position : gears.line_length - position;
@@ -104,7 +104,7 @@ std::vector<double> contact_changes(const MeshingGears& gears) {
 
 namespace {
 
-// Where the mean over a window begins or ceases to hold a jump of the curve, ascending.
+// Ends of the windows in which the moving mean contains a jump of the curve, ascending.
 std::vector<double> ends_of_windows(const std::vector<double>& jumps, double window) {
   constexpr double as_one = 1e-9;  // [period]
   std::vector<double> ends;

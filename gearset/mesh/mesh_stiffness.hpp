@@ -28,7 +28,7 @@ MeshingGears meshing_gears(const MeshGear& first, const MeshGear& second, double
                            bool first_drives);
 
 /// Compliance of one pair of teeth in contact, in the transverse section along the line of action, [m/N]; of
-/// helical teeth as if the whole face touched at that place.
+/// helical teeth as if the whole face touched at that position.
 struct PairCompliance {
   double hertz = 0.0;
   GearCompliance first;
@@ -40,15 +40,15 @@ struct PairCompliance {
 /// Compliance of the line contact of two teeth: constant. Eq. (7) of gearset/mesh/README.md [YangLin1987].
 double hertz_compliance(double face_width, const mechanics::Material& material);
 
-/// @param place [m] of contact on the line of action
+/// @param position [m] of contact on the line of action
 PairCompliance pair_compliance(const MeshingGears& gears, double position);
 
-/// Where contact of a pair begins and which way it moves. [m] and +1 or -1
+/// Position at which contact of a pair begins and direction in which it moves. [m] and +1 or -1
 double contact_begin(const MeshingGears& gears);
 double contact_direction(const MeshingGears& gears);
 
-/// Where the line of action crosses the line of centres; the nearest end of the path of contact where
-/// shifted teeth do not reach it. [m]
+/// Pitch point, the intersection of the line of action with the line of centres; the nearest end of the path
+/// of contact if shifted teeth do not reach it. [m]
 double pitch_point(const MeshingGears& gears);
 
 /// Sum over the pairs of teeth in contact, of a face that is all as its middle. Eq. (8) of

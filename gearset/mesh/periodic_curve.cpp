@@ -113,12 +113,12 @@ double PeriodicCurve::integral(double from, double to) const {
   const double way = to - from, periods = std::floor(way);
   double sum = periods * mean_, rest = way - periods;
   if (cubics_.size() == 1) return way * mean_;
-  double s = from;  // becomes the place in its interval
+  double s = from;  // becomes the position in its interval
   const Cubic* c = &cubic_at(s);
   while (rest > 0.0) {
     const double step = std::min(rest, (1.0 - s) / c->per_fraction);  // [period]
     const double half = 0.5 * step * c->per_fraction, middle = s + half;
-    const double gauss = half / std::sqrt(3.0);  // two places, exact for cubics and without differences
+    const double gauss = half / std::sqrt(3.0);  // two points, exact for cubics and without differences
     const auto value = [&](double at) {
       return c->value + at * (c->slope + at * (c->square + at * c->cube));
     };

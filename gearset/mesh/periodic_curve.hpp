@@ -9,7 +9,7 @@
 
 namespace orbearing::gearset {
 
-/// Value and derivative of a curve at one place.
+/// Value and derivative of a curve at one point.
 struct CurvePoint {
   double value = 0.0;  // [unit of the curve]
   double slope = 0.0;  // [unit of the curve per period]  exact derivative of `value`
@@ -19,7 +19,7 @@ struct CurvePoint {
 /// looked up in a few nanoseconds. At a jump the curve has its right limit.
 class PeriodicCurve {
  public:
-  /// Samples `function` at `samples` places a period or somewhat more. It is called with fractions in [0, 1),
+  /// Samples `function` at `samples` points a period or somewhat more. It is called with fractions in [0, 1),
   /// beside a jump at a billionth of the period off it. Error: fourth power of 1 / samples.
   /// @param jumps fractions in [0, 1) where value or slope are not continuous, ascending
   /// @throws std::invalid_argument if the jumps are not ascending in [0, 1), or a sample is not finite
@@ -79,7 +79,7 @@ class PeriodicCurve {
 
   void add_piece(double begin, double end, const std::vector<double>& samples, bool closed);
 
-  // The cubic that holds at `fraction`, which becomes the place s in its interval.
+  // The cubic that holds at `fraction`, which becomes the position s in its interval.
   const Cubic& cubic_at(double& fraction) const {
     const double begin = pieces_.front().begin;
     // Rounding towards zero by a conversion costs a third of std::floor without its own instruction.

@@ -83,7 +83,7 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
 
 namespace {
 
-// What an elastic ring gives in place of the polynomials, for the end of a message.
+// Difference of an elastic ring to the polynomials, for the end of a message.
 std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
   constexpr double thinnest = 1.01;  // root over bore diameter
   if (!sainsot_is_usable(gear.body)) return ". An elastic ring with a rigid bore is used instead";

@@ -13,7 +13,7 @@ namespace orbearing::gearset {
 
 // When the meshes of a planetary set begin, one against another.
 
-/// How the set runs, as seen from its carrier.
+/// Directions of power and rotation of the set, viewed from its carrier.
 struct MeshMotion {
   bool sun_drives = true;         // power flows from the sun to the planets, seen from the carrier
   bool sun_anticlockwise = true;  // the sun turns anticlockwise relative to the carrier
@@ -26,15 +26,15 @@ MeshMotion mesh_motion(double sun_torque, double sun_speed_relative);
 /// The part of `periods` beyond whole ones, in [0, 1); a whole number but for round-off gives 0.
 double whole_periods_off(double periods);
 
-/// How far the sun mesh of a planet lags behind that of a planet at angle zero, in mesh periods; the ring
-/// meshes lag alike, by the condition of assembly. Eq. (11) of gearset/mesh/README.md [ParkerLin2004].
+/// Lag of the sun mesh of a planet behind that of a planet at angle zero, in mesh periods; the ring meshes
+/// lag alike, by the condition of assembly. Eq. (11) of gearset/mesh/README.md [ParkerLin2004].
 /// @param planet_angle [rad] anticlockwise
 /// @return in [0, 1)
 double sun_mesh_lag(int sun_teeth, double planet_angle, const MeshMotion& motion);
 double ring_mesh_lag(int ring_teeth, double planet_angle, const MeshMotion& motion);
 
-/// How far the ring mesh of a planet lags behind its sun mesh, contact of a pair of teeth beginning at
-/// fraction zero in both. Eq. (12) of gearset/mesh/README.md.
+/// Lag of the ring mesh of a planet behind its sun mesh, contact of a pair of teeth beginning at fraction
+/// zero in both. Eq. (12) of gearset/mesh/README.md.
 /// @param sun_mesh, ring_mesh of the same planet, which is `second` in both
 /// @return [mesh period] in [0, 1)
 double ring_to_sun_lag(const MeshingGears& sun_mesh, const MeshingGears& ring_mesh, double sun_working_angle,
@@ -59,17 +59,17 @@ struct PlanetaryMeshes {
 
 /// @param held_race [m] radius of the race at which the planet is held, whose rim bends as a whole besides
 /// (gearset/rim): foundation by the elastic ring. None: held at its bore, as published models have it
-/// @param set whose planets stand where it can be assembled; of stepped ones the lags of the ring meshes have
-/// no meaning, since how far their gears are turned against each other is not known
+/// @param set whose planets are at positions where it can be assembled; of stepped ones the lags of the ring
+/// meshes have no meaning, since how far their gears are turned against each other is not known
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const BodyRatios& bodies, const mechanics::Material& material,
                                  const MeshMotion& motion, std::optional<double> held_race = {});
 
-/// Whether a gear's body lies outside the range of the polynomials of [Sainsot2004], and what the elastic
-/// ring gives in their place; none for a ring gear.
+/// Warning if a gear's body lies outside the range of the polynomials of [Sainsot2004], with the result of
+/// the elastic ring instead; none for a ring gear.
 /// @param tangent_length [m] on the gear, where the two are compared
-/// @param place of the case that states the body
+/// @param position of the body in the case
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
                              const std::string& position);
 Warnings foundation_warnings(const PlanetaryMeshes& meshes);

@@ -38,13 +38,13 @@ void put_wave(int order, Complex wave, RaceForm& form) {
   form.sine[order] = order == 0 ? 0.0 : -2.0 * wave.imag();
 }
 
-// Eq. (2): what the half-space under the force gives way, as a wave of its own.
+// Eq. (2): deflection of the half-space under the force, its wave of one order.
 double half_space_wave(const mechanics::Material& material, double width, int order) {
   return 2.0 / (pi * material.plane_strain_modulus() * width * order);
 }
 
-// Under a ring narrower than the face short waves give way less than the half-space under that ring alone: as
-// stiff as need be then.
+// Under a ring narrower than the face the compliance to short waves can be less than that of the half-space
+// under that ring: it is then set to a small positive value.
 void keep_positive(Eigen::ArrayXd& race) {
   constexpr double least = 1e-6;  // of the largest
   const double floor = least * race.maxCoeff();

@@ -1,5 +1,5 @@
-// How the rim of a planet gives way: from the forces of rollers and teeth to the form of the race and the
-// place of the teeth.
+// Compliance of a planet's rim: from the forces of rollers and teeth to the form of the race and the
+// displacement of the teeth.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,11 +19,11 @@ struct RaceForm {
   Eigen::ArrayXd sine;    // [m/N]
 };
 
-/// Influence functions of a planet's rim, as means over the places of its teeth. Eqs. (1) to (5) of
+/// Influence functions of a planet's rim, as means over the positions of its teeth. Eqs. (1) to (5) of
 /// gearset/rim/README.md.
 struct RimInfluence {
   /// [m/N]  (orders)  c_n: a radial force at phi' displaces the race at phi by sum c_n cos(n (phi - phi')).
-  /// Without what a half-space gives way under the force, which is the contact's own.
+  /// Without the deflection of a half-space under the force, which belongs to the contact.
   Eigen::ArrayXd race;
   RaceForm by_sun;   // by 1 N of the sun mesh along its line of action; the sun drives the carrier on
   RaceForm by_ring;  // by 1 N of the ring mesh

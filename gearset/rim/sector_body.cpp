@@ -25,7 +25,7 @@ struct OutlinePoint {
 };
 
 // Places on the lattice of half elements. The rim reaches over all columns, from -half_columns to
-// half_columns; the tooth stands on those between -tooth_columns and tooth_columns. Tooth and rim meet on the
+// half_columns; the tooth is on those between -tooth_columns and tooth_columns. Tooth and rim meet on the
 // arc at which the normal of the fillet has turned halfway: its corners are wide on either side.
 class Lattice {
  public:
@@ -51,8 +51,8 @@ class Lattice {
  private:
   bool has_ring() const { return section_.seat_radius > section_.race_radius; }
 
-  // Where the column leaves the rim: under the tooth, along the lower half of the fillet, along the root
-  // circle.
+  // Point at which a column leaves the rim: under the tooth, along the lower half of the fillet, along the
+  // root circle.
   OutlinePoint top_of_rim(int column) const {
     if (column <= tooth_columns()) return {foot_.half_angle * column / tooth_columns(), foot_.radius};
     const double share = static_cast<double>(column - tooth_columns()) / (half_columns() - tooth_columns());
@@ -98,7 +98,7 @@ class Lattice {
   TrochoidPoint foot_;  // of the tooth on the rim
 };
 
-// Numbers the places of the lattice as elements ask for them.
+// Numbers the nodes of the lattice as elements use them.
 class Numbering {
  public:
   Numbering(const Lattice& lattice, SectorMesh& mesh) : lattice_(lattice), mesh_(mesh) {}
@@ -196,7 +196,7 @@ Eigen::Matrix3d plane_strain(const mechanics::Material& material) {
   return law * material.youngs_modulus / ((1 + nu) * (1 - 2 * nu));
 }
 
-// Of one element, by displacements along x and y.
+// Stiffness of one element, by displacements along x and y.
 ElementMatrix element_stiffness(const SectorMesh& mesh, std::size_t e, const Eigen::Matrix3d& law) {
   Eigen::Matrix<double, 2, 8> corners;
   for (int i = 0; i < 8; ++i)
@@ -205,7 +205,7 @@ ElementMatrix element_stiffness(const SectorMesh& mesh, std::size_t e, const Eig
   for (const GaussPoint& x : kGauss)
     for (const GaussPoint& y : kGauss) {
       const Eigen::Matrix<double, 8, 2> own = shape_slopes(x.position, y.position);
-      const Eigen::Matrix2d jacobian = corners * own;  // d(place)/d(own)
+      const Eigen::Matrix2d jacobian = corners * own;  // d(position)/d(own)
       const double determinant = jacobian.determinant();
       if (!(determinant > 0.0)) throw std::domain_error("a tooth whose form cannot be cut into elements");
       const Eigen::Matrix<double, 8, 2> slopes = own * jacobian.inverse();
@@ -231,7 +231,7 @@ Eigen::Matrix2d polar_axes(const Eigen::Vector2d& node) {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// Of the whole sector, by displacements along radius and circumference of each node.
+// Stiffness of the whole sector, by displacements along radius and circumference of each node.
 Entries sector_stiffness(const SectorMesh& mesh, const mechanics::Material& material) {
   const Eigen::Matrix3d law = plane_strain(material);
   Entries entries;
@@ -270,12 +270,12 @@ double angle_of(const Eigen::Vector2d& node) {
   return std::atan2(node.y(), node.x());
 }
 
-// Weights of the three nodes of a side at a place between -1 and 1.
+// Weights of the three nodes of a side at a position between -1 and 1.
 Eigen::Vector3d side_shapes(double x) {
   return {0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)};
 }
 
-// The side of a chain of nodes and the place on it where `measure(node)` has the value.
+// The side of a chain of nodes and the position on it where `measure(node)` has the value.
 struct PositionOnSide {
   std::size_t first = 0;  // its first node in the chain
   double position = 0.0;  // -1 to 1
@@ -312,7 +312,7 @@ SectorBody::SectorBody(SectorMesh mesh, const mechanics::Material& material, int
   append_freedoms(mesh_.last_side, kept_);
   append_freedoms({mesh_.race.begin() + 1, mesh_.race.end() - 1}, kept_);
   std::vector<int> position(2 * mesh_.node.size(),
-                            -1);  // among the kept ones, or -1 - place among the inner ones
+                            -1);  // among the kept ones, or -1 - index among the inner ones
   for (std::size_t i = 0; i < kept_.size(); ++i)
     position[static_cast<std::size_t>(kept_[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < position.size(); ++i) {
@@ -402,7 +402,8 @@ SectorBody::Reduced SectorBody::reduced(const std::vector<NodalLoad>& loads) con
   return all;
 }
 
-// What must stay zero on average where the body would move freely otherwise; empty where it would not.
+// Weights of the average displacement that must be zero, for orders in which the body could otherwise move
+// freely; empty for others.
 Eigen::VectorXcd SectorBody::average(int order) const {
   const int wave = ((order % sectors_) + sectors_) % sectors_;
   if (wave == 0) return reduced({race_shear(0)}).kept;
@@ -411,7 +412,7 @@ Eigen::VectorXcd SectorBody::average(int order) const {
   return {};
 }
 
-// Of the kept freedoms, while loads and displacements go on from sector to sector.
+// Displacements of the kept freedoms, for loads and displacements that continue from sector to sector.
 Eigen::MatrixXcd SectorBody::displacements(int order, const Eigen::MatrixXcd& loads, Held held) const {
   const bool rigid = held == Held::rigidly;
   const auto cut = static_cast<Eigen::Index>(2 * mesh_.first_side.size());

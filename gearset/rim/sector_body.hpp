@@ -1,4 +1,4 @@
-// A planet's body as an elastic one of equal sectors: how it gives way under loads that go around it in
+// A planet's body as an elastic one of equal sectors: its deflection under loads that vary around it as
 // waves.
 #pragma once
 
@@ -52,17 +52,17 @@ struct SectorMesh {
 SectorMesh sector_mesh(const RimSection& section, const Fineness& fineness);
 
 /// Loads of one sector that may go on from sector to sector with a phase. They act on nodes along the radius
-/// and along the circumference at their own place.
+/// and along the circumference at their own position.
 using NodalLoad = Eigen::VectorXcd;  // (2 nodes)  radial, circumferential of each node
 
-/// How the race is held.
+/// Constraint of the race.
 enum class Held {
   on_average,  // on the whole it neither turns nor shifts; free else
   rigidly,     // it does not move at all
 };
 
-/// The sector with all freedoms eliminated but those of its cuts and of the race; plane strain. A body of
-/// equal sectors bears each wave of loads by itself [Thomas1979], so one sector is enough.
+/// The sector with all freedoms eliminated but those of its cuts and of the race; plane strain. In a body of
+/// equal sectors each wave of loads acts independently of the others [Thomas1979], so one sector is enough.
 class SectorBody {
  public:
   SectorBody(SectorMesh mesh, const mechanics::Material& material, int sectors);
@@ -78,9 +78,9 @@ class SectorBody {
   /// towards the gear's axis, inclined by `pressure_angle` [rad] to the circumference.
   NodalLoad flank_force(int flank, double radius, double pressure_angle) const;
 
-  /// What the displacement under each load does along each other one, in one sector [N m]: loads^H K^-1
-  /// loads, where loads and displacements in the next sector are ahead by `order` times its angle. The force
-  /// that holds the race takes what is out of balance.
+  /// Work of each load on the displacement under each other load, in one sector [N m]: loads^H K^-1 loads,
+  /// where loads and displacements in the next sector are ahead by `order` times its angle. The force that
+  /// holds the race balances the rest.
   Eigen::MatrixXcd works(int order, const std::vector<NodalLoad>& loads, Held held) const;
 
  private:

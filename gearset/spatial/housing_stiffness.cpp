@@ -71,7 +71,7 @@ MatrixXd rigid_motions(const std::vector<double>& positions) {
   return motions;
 }
 
-// Where the housing has deflected in the directions that no bearing loads.
+// Housing stiffness with the directions that no bearing loads free to deflect.
 MatrixXd without_unloaded(const MatrixXd& k) {
   std::vector<Index> unloaded;
   for (Index b = 1; kSeatDirections * b < k.rows(); ++b) unloaded.push_back(kSeatDirections * b + 2);

@@ -23,11 +23,12 @@ struct MatrixFault {
 Eigen::MatrixXd matrix_of_rows(const std::vector<double>& rows);
 
 /// None where the matrix is symmetric to 1e-6 of its diagonal, never negative as an energy, and holds the
-/// housing in all directions that bearings at `positions` [m] load. Without positions the last is not asked.
+/// housing in all directions that bearings at `positions` [m] load. Without positions the last is not
+/// checked.
 std::optional<MatrixFault> housing_fault(const Eigen::MatrixXd& stiffness,
                                          const std::vector<double>& positions = {});
 
-/// The mean of both halves, in a frame that stands at `angle` [rad] about the axis in that of the housing.
+/// The mean of both halves, in a frame at `angle` [rad] about the axis from that of the housing.
 Eigen::MatrixXd housing_stiffness_at(const Eigen::MatrixXd& stiffness, double angle);
 
 }  // namespace orbearing::gearset::spatial

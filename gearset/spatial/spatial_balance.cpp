@@ -20,7 +20,7 @@ using Imbalance = mechanics::Imbalance<Eigen::Dynamic>;
 
 enum Body : int { housing = -1, carrier = 0, sun = 1, first_planet = 2 };
 
-// How far a point of a body moves along a direction, by its coordinates.
+// Displacement of a point of a body along a direction, by its coordinates.
 struct Motion {
   int body = housing;
   Row row = Row::Zero();
@@ -65,7 +65,7 @@ struct Assembly {
   std::vector<MeshFlanks> meshes;    // per planet that of the sun, then that of the ring
   Eigen::ArrayXd height;             // [m]  (slices)  of their middles
   std::vector<RadialSpring> radial;  // rows of planets, planet by planet, then those of carrier and sun
-  std::vector<PinnedPlanet> pinned;  // all planets, in place of their rows among `radial`; or none
+  std::vector<PinnedPlanet> pinned;  // all planets, instead of their rows among `radial`; or none
   Eigen::MatrixXd pin_stiffness;     // [N/m]  (rows, rows)  of those, in either direction
   std::vector<Eigen::Index> seats;   // coordinates of the housing's seats: none where it is rigid
   Eigen::MatrixXd housing;           // [N/m]  (seats, seats)
@@ -140,7 +140,7 @@ class Builder {
   }
 
   // The force of a flank on the planet: against the sense in which the carrier is driven, apart from the
-  // other gear, and along the axis as the helix asks, opposite in the two meshes. On the back flank the sense
+  // other gear, and along the axis by the helix, opposite in the two meshes. On the back flank the sense
   // is the other one.
   Flanks flanks_of(int planet, bool inner, double sense, double gap) const {
     const SpatialMesh& mesh = inner ? set_.sun : set_.ring;
@@ -297,7 +297,7 @@ VectorXd deflections(const PinnedPlanet& planet, std::size_t i, const VectorXd& 
   return apart.array() - planet.offset[static_cast<Eigen::Index>(i)];
 }
 
-// What it compresses beyond its clearance.
+// Compression beyond the clearance.
 double compression(const RadialSpring& spring, const Vector2d& apart) {
   return std::max(0.0, apart.norm() - spring.clearance);
 }
@@ -493,7 +493,7 @@ void read_meshes(const Assembly& assembly, const VectorXd& position, std::size_t
   }
 }
 
-// Of the bore's axis against the pin's: a rotation r takes an axis to (r_y, -r_x, 1).
+// Tilts of the bore's axis against the pin's: a rotation r takes an axis to (r_y, -r_x, 1).
 Eigen::Matrix2Xd planet_tilts(const SpatialSet& set, const VectorXd& position, double lever) {
   Eigen::Matrix2Xd tilts(2, static_cast<Eigen::Index>(set.angles.size()));
   for (int p = 0; p < tilts.cols(); ++p) {

@@ -16,8 +16,8 @@ struct MeshForces {
   Eigen::ArrayXXd by_width;  // [N/m]  (slices, planets)  of the driving flanks
 };
 
-/// What carries the loads at one angle of the carrier. Directions are those of the carrier's frame, for a
-/// planet radially outward and tangentially in the sense of positive rotation.
+/// Loads that are in equilibrium at one angle of the carrier. Directions are those of the carrier's frame,
+/// for a planet radially outward and tangentially in the sense of positive rotation.
 struct SpatialBalance {
   Eigen::MatrixXd bearing_load;        // [N]  (rows of a pin, planets)  radial, its magnitude
   Eigen::MatrixXd bearing_radial;      // [N]  (rows, planets)  of the pin on the planet, outward
@@ -34,21 +34,21 @@ struct SpatialBalance {
 };
 
 /// Coordinates of the search: for carrier, sun and each planet three displacements and three rotations at the
-/// lever of the centre distance. The energy is convex, so there is one balance. Gear teeth are cut into
+/// lever of the centre distance. The energy is convex, so there is one equilibrium. Gear teeth are cut into
 /// `slices` over the face width; back flanks touch where the backlash is used up.
 /// @param angle [rad] of the carrier in the housing; its first planet is upward at 90 degrees
-/// @param start coordinates of a neighbouring balance, or none
-/// @throws std::runtime_error where no balance is found
+/// @param start coordinates of a neighbouring equilibrium, or none
+/// @throws std::runtime_error where no equilibrium is found
 SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
                        const Eigen::VectorXd& start = {});
 
-/// Force [N] out of balance and stiffness at any `position`, as the search sees them: for tests.
+/// Unbalanced force [N] and stiffness at any `position`, as the search uses them: for tests.
 mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const SpatialLoad& load, double angle,
                                                int slices, const Eigen::VectorXd& position);
 
 /// Stiffness [N/m] about a loaded set: all driving flanks touch, no back flank does, and bearings have used
 /// up their clearance. The sun may turn; `ring_moves`: the ring is a body behind the planets, which nothing
-/// but the meshes holds here. An elastic housing stands to the carrier as at angle 0; its seats have no mass.
+/// but the meshes holds here. An elastic housing is at angle 0 to the carrier; its seats have no mass.
 Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_moves);
 
 }  // namespace orbearing::gearset::spatial

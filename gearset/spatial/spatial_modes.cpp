@@ -20,7 +20,8 @@ constexpr int kSlices = 200;             // of the face: they resist a tilt by 1
 constexpr double kSameFrequency = 1e-6;  // [-]  of the largest: closer ones are one
 constexpr double kNoFrequency = 1e-6;    // [-]  of the largest: round-off of a zero eigenvalue's root
 
-// Of a body's middle, rotations times the lever: eccentric mass couples displacement and tilt.
+// Mass matrix at the middle of a body, rotations times the lever: eccentric mass couples displacement and
+// tilt.
 Matrix6d mass_of(const RoundBody& body, double lever) {
   const double arm = body.centre / lever, square = 1.0 / (lever * lever);
   const double tilt = body.transverse * square + body.mass * arm * arm;

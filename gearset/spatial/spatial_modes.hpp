@@ -17,7 +17,7 @@ struct RoundBody {
   double centre = 0.0;      // [m]      axial position of that centre
 };
 
-/// What holds a body in the housing beside the springs of the set.
+/// Support of a body in the housing besides the springs of the set.
 struct BodySupport {
   double radial = 0.0;   // [N/m]
   double axial = 0.0;    // [N/m]
@@ -46,8 +46,8 @@ struct SpatialMode {
   Eigen::Matrix<double, Eigen::Dynamic, 6> shape;
 };
 
-/// Ascending. A motion that costs nothing has the frequency zero. Directions are those of a frame that stands
-/// with the carrier, x toward the first planet where that stands at angle 0.
+/// Ascending. A free motion has the frequency zero. Directions are those of a frame fixed to the carrier, x
+/// toward the first planet if that is at angle 0.
 std::vector<SpatialMode> modes_at_rest(const MovingSet& moving);
 
 }  // namespace orbearing::gearset::spatial

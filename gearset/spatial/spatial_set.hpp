@@ -35,7 +35,7 @@ struct SpatialMesh {
   double backlash = std::numeric_limits<double>::infinity();
 };
 
-/// Forces and moments of the rotor on the carrier, in a frame that stands with the housing: x across, y
+/// Forces and moments of the rotor on the carrier, in a frame fixed to the housing: x across, y
 /// upward, z along the axis. They act on the axis, at the middle of the face width.
 struct RotorLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // [N]
@@ -49,7 +49,7 @@ struct SpatialSet {
   double planet_base_radius = 0.0;  // [m]
   SpatialMesh sun, ring;
   std::vector<PlanetBearing> planet_bearings;  // the same on each pin
-  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, beside their own compliance;
+  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, besides their own compliance;
   /// they then have no clearance; none: in their stiffness
   Eigen::MatrixXd pin_compliance;
   double planet_axial_stiffness = 0.0;  // [N/m]  between planet and pin
@@ -74,7 +74,7 @@ struct SpatialLoad {
   RotorLoad rotor;
 };
 
-/// What a case states of the carrier as a body: how the housing holds it, and what acts on it beside torque.
+/// The carrier as a body in a case: its support by the housing, and its loads besides torque.
 struct CarrierMounting {
   std::vector<double> positions;         // [m]    (bearings)  axial
   std::vector<double> radial_stiffness;  // [N/m]  (bearings)

@@ -13,14 +13,14 @@ namespace app {
 class ResolvedCase;
 }
 
-/// It does not change: with() makes a changed copy, in which what follows from an input is derived anew.
-/// Threads may share it. Whatever is wrong throws BadInput with a line for each mistake: its place, what was
-/// found, what is required.
+/// It does not change: with() makes a changed copy, in which values that follow from an input are derived
+/// anew. Threads may share it. Every error throws BadInput with a line for each mistake: its location, what
+/// was found, what is required.
 class Case {
  public:
-  /// From a file; `settings` are texts like "input.power=75 kW" in place of what stands there.
+  /// From a file; `settings` are texts like "input.power=75 kW" that replace values of the file.
   static Case read(const std::string& file, const std::vector<std::string>& settings = {});
-  /// From what a file would hold; `name` stands for the file in messages.
+  /// From the text of a file; `name` is the file's name in messages.
   static Case parse(const std::string& text, const std::string& name = "case.yaml",
                     const std::vector<std::string>& settings = {});
 
@@ -37,7 +37,7 @@ class Case {
   /// All of it as YAML, from which the same numbers follow.
   std::string resolved() const;
 
-  /// Of the library itself.
+  /// Internal to the library.
   explicit Case(app::ResolvedCase resolved);
   const app::ResolvedCase& content() const { return *content_; }
 

@@ -1,4 +1,4 @@
-// The two ways in which what is asked ends badly; a third, orbearing::Cancelled, is no std::exception.
+// The two errors of a request; a third, orbearing::Cancelled, is no std::exception.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace orbearing {
 
-/// The user can mend it: place, what was found, what is required, what to do. Exit code 2.
+/// An error of the user: location, what was found, what is required, what to do. Exit code 2.
 struct BadInput : std::runtime_error {
   explicit BadInput(std::vector<std::string> lines)
       : std::runtime_error(joined(lines)), messages(std::move(lines)) {}
@@ -30,8 +30,8 @@ struct ComputationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// It was asked to stop; says what is kept and how to go on. Where nothing is kept,
-/// Cancelled comes through as it is.
+/// Stopped on request; the message says what is kept and how to go on. Where nothing is kept, Cancelled comes
+/// through as it is.
 struct Interrupted : ComputationFailed {
   using ComputationFailed::ComputationFailed;
 };

@@ -22,7 +22,7 @@ struct Port {
 class Participant {
  public:
   /// One bearing of one planet; BadInput for a case that has none, of several sets, or with what a driven
-  /// bearing does not include, as the command fmu says.
+  /// bearing does not include, as stated by the command fmu.
   static Participant bearing(const Case& stated);
   /// The gear set with its planet bearings left out; BadInput likewise.
   static Participant gearset(const Case& stated);
@@ -31,12 +31,12 @@ class Participant {
   std::vector<Port> outputs() const;
   double time() const;  // [s]
 
-  /// A slope by time that is given stands for the rate that otherwise goes with the input.
+  /// A given time derivative replaces the rate that otherwise belongs to the input.
   void set_input(const std::string& name, double value, std::optional<double> slope = std::nullopt);
   double input(const std::string& name) const;
 
-  /// Takes the inputs as they are; what nobody set fits the rest: the displacement is that under the start
-  /// load. The first advance() does it where it was not asked for.
+  /// Takes the inputs as they are; inputs that are not set fit the rest: the displacement is that under the
+  /// start load. The first advance() does it where it was not called before.
   void initialize(double time);  // [s]
   void advance(double length);   // [s]
   double output(const std::string& name);

@@ -13,7 +13,7 @@
 
 namespace orbearing {
 
-/// What is asked. Where the command takes a case, one of three ways of stating it.
+/// A command and its input. If the command takes a case, one of three ways of stating it.
 struct Request {
   std::string command;                  // "run"
   std::string case_file{};              // or
@@ -24,7 +24,8 @@ struct Request {
   /// {"fidelity": "dynamic", "jobs": 2}. Switches are true or false; what may be repeated is a list;
   /// "folders" are those that report and merge take.
   std::string options = "{}";
-  /// Called from any thread, one call at a time, with how far the computation is; false asks it to stop.
+  /// Called from any thread, one call at a time, with the progress of the computation; return false to stop
+  /// it.
   std::function<bool(std::size_t done, std::size_t all, const std::string& doing)> progress{};
   /// Called from any thread, one call at a time, with how far a motion in progress is, a JSON object:
   /// {"time_s", "expected_s", "most_s", "share", "seconds_left", "run", "most_runs", "rolling_cage_rpm",
@@ -43,8 +44,8 @@ struct Answer {
   int code = 0;                       // 0 done, 1 failed at some points
 };
 
-/// Throws BadInput for what cannot be asked, ComputationFailed, and Interrupted or Cancelled where it was
-/// asked to stop.
+/// Throws BadInput for an invalid request, ComputationFailed, and Interrupted or Cancelled where it was
+/// stopped on request.
 Answer answer(const Request& request);
 
 }  // namespace orbearing

@@ -45,7 +45,7 @@ class Table {
   const std::vector<TableInput>& inputs() const;
   std::vector<std::string> results() const;
   double bound() const;  // [-]
-  /// The case of the table; an input that is not tabulated has the value that stands there.
+  /// The case of the table; an input that is not tabulated has the value in that case.
   const Case& stated() const { return stated_; }
 
   /// A result at each row of `values` [SI] (queries, inputs), the inputs fastest. Nothing is extrapolated: a

@@ -4,7 +4,7 @@
 
 namespace orbearing {
 
-/// Of the library: "0.9.0".
+/// Version of the library: "0.9.0".
 std::string version();
 
 /// Which the compiler was allowed to use: results are equal to the last bit within one only.

@@ -7,7 +7,7 @@
 
 namespace orbearing::mechanics::ORBEARING_PACKS {
 
-/// kLanes elements of kOwn unknowns each, beside kShared unknowns of all.
+/// kLanes elements of kOwn unknowns each, and kShared unknowns of all.
 template <int kOwn, int kShared>
 struct ElementBlock {
   Pack own[kOwn][kOwn];
@@ -31,7 +31,7 @@ inline void invert(Pack (&a)[3][3]) {
     for (int k = 0; k < 3; ++k) a[i][k] = inverse[i][k];
 }
 
-// In place, without pivoting: blocks of 1 - g J are close to positive matrices.
+// In its own memory, without pivoting: blocks of 1 - g J are close to positive matrices.
 template <int n>
 void invert(Pack (&a)[n][n]) {
   for (int p = 0; p < n; ++p) {
@@ -73,7 +73,7 @@ template <int kShared>
 inline constexpr int kSharedRow = (kShared + 7) / 8 * 8;
 
 /// Adds direct - of_shared own^-1 by_shared of an eliminated block, summed over its elements. `direct(i, k,
-/// sum)` adds what the elements put into that place themselves to a register.
+/// sum)` adds the elements' own contribution to that entry to a register.
 template <int kEnd, int kOwn, int kShared, class Direct>
 void add_schur(const ElementBlock<kOwn, kShared>& block, const Direct& direct,
                double (&into)[kShared][kSharedRow<kShared>]) {
@@ -102,12 +102,12 @@ template <int kShared>
 struct SharedBlock {
   double a[kShared][kSharedRow<kShared>] = {};
 
-  /// Of the first kPivots unknowns; the block of the others is then what their elimination leaves.
+  /// Factors the first kPivots unknowns; the block of the others then is their Schur complement.
   template <int kPivots = kShared>
   bool factor() {
     return factor(kPivots, kShared);
   }
-  /// Of the first `pivots` unknowns out of `end`.
+  /// Factors the first `pivots` unknowns out of `end`.
   bool factor(int pivots, int end) {
     for (int p = 0; p < pivots; ++p) {
       const double inverse = 1.0 / a[p][p];
@@ -137,7 +137,7 @@ struct SharedBlock {
 template <int kShared>
 class SharedInverse {
  public:
-  /// Of `block`, without pivoting. False where it is singular.
+  /// Inverts `block`, without pivoting. False if it is singular.
   bool take(const SharedBlock<kShared>& block) {
     Row row[kShared];
     __builtin_memcpy(row, block.a, sizeof row);

@@ -61,7 +61,7 @@ inline Two<Part> sign_of(const Two<Part>& x) {
 }
 
 /// Angle of the vector (x, y), y > 0: between 0 and pi. By arctan t = pi/6 + arctan((t - c)/(1 + c t)), c =
-/// tan(pi/6), the series is asked at most at tan(pi/12).
+/// tan(pi/6), the series is evaluated at most at tan(pi/12).
 template <class Number>
 inline Number angle_of(const Number& y, const Number& x) {
   constexpr double kPi = 0x1.921fb54442d18p+1;

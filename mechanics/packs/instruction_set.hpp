@@ -1,7 +1,7 @@
 // Which vector instructions this program may use here.
 #pragma once
 
-// Sets beside the baseline that were compiled; CMake's ORBEARING_AVX512=OFF leaves the widest out.
+// Compiled sets in addition to the baseline; CMake's ORBEARING_AVX512=OFF leaves the widest out.
 #if defined(__x86_64__) && !defined(_WIN32)
 #define ORBEARING_HAS_AVX2
 #ifndef ORBEARING_WITHOUT_AVX512

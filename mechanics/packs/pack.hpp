@@ -29,7 +29,7 @@ using Register = double __attribute__((vector_size(8 * kRegisterLanes)));
 using BitRegister = long long __attribute__((vector_size(8 * kRegisterLanes)));
 
 /// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part. Not
-/// set to zero unless asked, as in PackPair{}: there is much of it.
+/// set to zero unless requested by PackPair{}, since there are many of them.
 template <class Part>
 struct Two {
   Part low, high;

@@ -1,4 +1,4 @@
-// What concerns all lanes at once: is any true, what is their sum.
+// Operations over all lanes of a pack: any of a mask, sum.
 #pragma once
 
 #include "mechanics/packs/pack.hpp"
@@ -16,7 +16,7 @@ template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
 }
-// Sums of neighbours, then of pairs, then of halves; those of `y` beside those of `x`.
+// Sums of neighbours, then of pairs, then of halves; those of `y` next to those of `x`.
 inline Register neighbours(const Register& x, const Register& y) {
   return __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14) +
          __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);

@@ -22,7 +22,7 @@ class HalfSpacePotential {
 
   void operator()(const Field& pressure, Field& potential) const;
 
-  /// That of a node on one `x` and `y` steps away, less than the number of cells.
+  /// Influence of a node on one `x` and `y` steps away, less than the number of cells.
   double influence(Eigen::Index x, Eigen::Index y) const { return near_(std::abs(x), std::abs(y)); }
 
  private:

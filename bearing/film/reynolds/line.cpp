@@ -155,7 +155,7 @@ class LineFilmEquations {
     return change;
   }
 
-  // What is between the surfaces where there is no pressure: the flow that left it, over the room.
+  // Share of oil in the gap without pressure: the flow that left the film, over the gap.
   Eigen::ArrayXd fraction() const {
     Eigen::ArrayXd share = Eigen::ArrayXd::Ones(n_ + 1);
     Index last = n_;

@@ -15,7 +15,7 @@ struct LineFilmCase {
   ReynoldsOil oil;
   double load = 0.0;     // [N/m]
   double rolling = 0.0;  // [m/s]  mean speed of both surfaces, > 0
-  double sliding = 0.0;  // [m/s]  affects Eyring's oil alone
+  double sliding = 0.0;  // [m/s]  affects Eyring's oil only
 };
 
 struct LineFilmGrid {

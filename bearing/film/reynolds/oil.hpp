@@ -8,7 +8,7 @@
 
 namespace orbearing::bearing::film {
 
-/// What a film is made of.
+/// Properties of the oil of a film.
 struct ReynoldsOil {
   double viscosity = 0.0;           // [Pa s]  dynamic, at atmospheric pressure
   double pressure_viscosity = 0.0;  // [1/Pa]  0: the same viscosity at every pressure
@@ -65,9 +65,9 @@ class OilUnderPressure {
   double exponent_;   // [-]  Z
 };
 
-/// How much easier the oil flows along and across its shearing: Newtonian oil has 1 and 1. `shear` [-] is
-/// viscosity times sliding speed over film and Eyring's stress. Mean stresses of a film that slides much more
-/// than pressure makes it flow, [EhretDowsonTaylor1998].
+/// Flow factors of the oil along and across its shearing: Newtonian oil has 1 and 1. `shear` [-] is viscosity
+/// times sliding speed over film and Eyring's stress. Mean stresses of a film that slides much more than
+/// pressure makes it flow, [EhretDowsonTaylor1998].
 struct EyringFlow {
   double along = 1.0;
   double across = 1.0;

@@ -70,7 +70,7 @@ double between(const Field& coarse, Index i, Index j) {
 // From the fastest to the surest; all of them together have the cycles that the grid allows.
 struct Attempt {
   Relaxation relaxation;
-  bool eased = false;  // whether coarse grids begin with the film of a higher speed, which they can tell
+  bool eased = false;  // whether coarse grids begin with the film of a higher speed, which they can resolve
 };
 constexpr std::array<Attempt, 3> attempts{
     {{{0.5, 0.6, 2.0}, false}, {{0.7, 0.6, 2.0}, true}, {{0.4, 0.4, 2.0}, true}}};
@@ -117,8 +117,8 @@ class PointFilmSolver {
     level.solve(rigid_, 40, 1e-6);
   }
 
-  // Share of the diffusion with which the film is as thick as a grid can tell: its error is about 1.2 steps
-  // squared.
+  // Share of the diffusion with which the film is as thick as a grid can resolve: its error is about 1.2
+  // steps squared.
   double ease(const PointFilmLevel& level, double central) const {
     if (!eased_) return 1.0;
     const double resolved = central / (4.0 * level.domain().hx * level.domain().hx);
@@ -348,7 +348,7 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
 
   const double ea = a * a / (hertz.a * hertz.a), eb = a * a / (hertz.b * hertz.b);
   std::array<double, 3> ellipse{ea * c * c + eb * s * s, 2.0 * (eb - ea) * s * c, ea * s * s + eb * c * c};
-  // Where the film is much thicker than the bodies sink, pressure is as wide as the film's wedge.
+  // If the film is much thicker than the elastic deflection, the pressure is as wide as the film's wedge.
   const double wide = std::max(1.0, 0.2 * far);
   for (double& one : ellipse) one /= wide * wide;
   PointFilm result;

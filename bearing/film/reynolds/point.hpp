@@ -19,7 +19,7 @@ struct PointFilmCase {
   double rolling = 0.0;  // [m/s]    mean speed of both surfaces, > 0
   double angle = 0.0;    // [rad]    of that speed from x towards y
   double spin = 0.0;     // [rad/s]  of one surface against the other: v = rolling + spin/2 (y, -x), Eq. (3)
-  double sliding = 0.0;  // [m/s]    along the rolling; affects Eyring's oil alone
+  double sliding = 0.0;  // [m/s]    along the rolling; affects Eyring's oil only
 };
 
 /// Curvatures of an ellipse of `ellipticity` (axis along y over that along x, any > 0) whose radius in the

@@ -18,7 +18,7 @@ constexpr double kLeastPointFilm =
     1e-7;                            // of a^2/R: below it a film of an unfinished solution counts as this
 constexpr double kMostChange = 0.2;  // of pressure in one sweep, in Hertz's largest one
 
-// Diffusion over wedge from which no changes of films add up; the edge of cavitation wants whole changes
+// Diffusion over wedge from which no changes of films add up; the edge of cavitation requires whole changes
 // there.
 constexpr double kFilmsHardlyMatter = 100.0;
 

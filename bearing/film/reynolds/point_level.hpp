@@ -34,9 +34,9 @@ struct PointFilmNumbers {
   }
 };
 
-/// How much of a computed change is applied, and where changes are those of single nodes. Lines change one
-/// after the other with films that do not know yet of each other's changes: those of many lines add up, above
-/// all where contacts are long across, and more than about 0.7 of single changes overshoots then.
+/// Applied share of a computed change, and the range in which changes are those of single nodes. Lines change
+/// one after the other with films that do not yet include each other's changes: those of many lines add up,
+/// above all where contacts are long across, and more than about 0.7 of single changes overshoots then.
 struct Relaxation {
   double single = 0.5;
   double dipole = 0.6;
@@ -82,11 +82,11 @@ class PointFilmLevel {
   void relax(double rigid);
   /// Newton's method on the whole grid, with H_0. Returns the last change of pressure, mean over mean.
   double solve(double& rigid, int most, double enough);
-  /// Share of oil where there is no pressure, carried along by the surfaces; it counts from then on. After
-  /// [ElrodAdams1975]: oil has a pressure or a share below 1, and its mass is kept in both.
+  /// Share of oil where there is no pressure, carried along by the surfaces; it is included from then on.
+  /// After [ElrodAdams1975]: oil has a pressure or a share below 1, and its mass is conserved in both.
   void carry_oil();
-  /// What is not kept of the oil that passes the middle of the contact: by Reynolds' equation where it holds,
-  /// and anywhere once the shares of oil are known.
+  /// Mass errors of the oil that passes the middle of the contact: by Reynolds' equation where it holds, and
+  /// everywhere once the shares of oil are known.
   struct Balance {
     double residual = 0.0;
     double lost = 0.0;

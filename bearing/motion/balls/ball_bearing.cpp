@@ -110,7 +110,7 @@ ContactSnapshot shown(const RaceTouch<double>& touch) {
           touch.film};
 }
 
-// What a ball takes from the drive of a ring: moment about the ring's axis of what it does to the ring.
+// Moment of a ball on the drive of a ring: moment about the ring's axis of the ball's wrench on the ring.
 double axial_moment(const SeenBody<double>& ring, const BallWrench<double>& on_ball) {
   return -dot(on_ball.moment + cross(ring.from_centre, on_ball.force), ring.axis);
 }
@@ -264,7 +264,7 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
                                 double share) {
   const BallNumbers& c = model.numbers();
   const StateLayout layout = model.layout();
-  // What the inner ring carries; a free outer one carries the opposite and goes the opposite way.
+  // Load on the inner ring; a free outer one carries the opposite and moves the opposite way.
   const bool outer_moves = c.outer_ring.mass > 0.0 && !(c.inner_ring.mass > 0.0);
   RingLoad load = outer_moves ? model.duty().on_outer : model.duty().on_inner;
   if (outer_moves)

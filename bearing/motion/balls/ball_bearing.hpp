@@ -18,7 +18,8 @@ namespace orbearing::bearing::balls {
 /// grooves no wider than balls, and where masses, clearances or oil that the motion needs are missing.
 BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& parameters);
 
-/// How one ring turns: at `speed` [rad/s], which grows by `acceleration` [rad/s^2] until it is `final_speed`.
+/// Rotation of one ring: at `speed` [rad/s], which grows by `acceleration` [rad/s^2] until it is
+/// `final_speed`.
 struct RingDrive {
   double speed = 0.0;
   double acceleration = 0.0;
@@ -51,7 +52,7 @@ struct ContactSnapshot {
 };
 
 /// Power lost by cause [W]. Friction over the ellipses falls into its first three parts by the motion that
-/// does the work: their sum is >= 0, one alone may be slightly less. All others are >= 0.
+/// does the work: their sum is >= 0, a single one may be slightly less. All others are >= 0.
 struct BallPowerLoss {
   double sliding = 0.0;       // of the ellipses' middles
   double differential = 0.0;  // because ellipses are curved
@@ -70,7 +71,7 @@ struct BallSnapshot {
   std::vector<double> pocket_load;       // [N]  (balls)
   double cage_speed = 0.0;               // [rad/s]
   Eigen::Vector3d cage_position;         // [m]
-  double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction alone
+  double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction only
   double outer_torque = 0.0;             // [N m]
   BallPowerLoss loss;
 };
@@ -97,7 +98,7 @@ class BallBearing {
 
   void derivative(double time, const double* x, double* dx);
   void linearise(double time, const double* x, double* dx);
-  /// Slope of the rate by time alone, at the place of the last linearisation.
+  /// Slope of the rate by time only, at the state of the last linearisation.
   void time_slope(double time, double* rate);
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
@@ -105,7 +106,7 @@ class BallBearing {
 
   Surroundings surroundings(double time) const;
   BallSnapshot snapshot(double time, const double* x) const;
-  /// `time` [s] says how far the rings have turned their scratches.
+  /// `time` [s] gives the rotation of the rings with their scratches.
   BallEnergy energy(const double* x, double time = 0.0) const;
   /// Power that loads, and drives against friction, put in at `time` in the state `x` [W].
   double power_input(double time, const double* x) const;
@@ -118,9 +119,10 @@ class BallBearing {
   std::vector<double> last_x_, last_rate_;
 };
 
-/// Where a run begins: the inner ring displaced as the static bearing under its load is, the outer one in
-/// place (the other way round where the inner ring is held and the outer one free), balls between them, the first at the angle `first` [rad]; balls and cage turn as at pure rolling,
-/// times `share` of it. Throws std::invalid_argument as balance_bearing().
+/// Start of a run: the inner ring is displaced as in the static equilibrium under its load, the outer one is
+/// not displaced (the other way round where the inner ring is held and the outer one free). Balls are between
+/// them, the first at the angle `first` [rad]. Balls and cage turn as at pure rolling, times `share` of it.
+/// Throws std::invalid_argument as balance_bearing().
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first,
                                 double share = 1.0);
 

@@ -1,10 +1,10 @@
-// Balls and rings as their contacts see them: places, velocities and turns, in the axes of one ball's own
-// radius. Written once for plain numbers and packs.
+// Balls and rings in the coordinates of their contacts: positions, velocities and rotations, in the axes of
+// one ball's own radius. Written once for plain numbers and packs.
 //
-// A ring's place is its centre and the direction of its axis, whose components across the bearing's axis are
-// state variables: rings and cage are solids of revolution, so how far they have turned matters to pockets
-// and defects alone. A ball is described by cylindrical coordinates about the bearing's axis and by the
-// components of its turning in the axes (radial, tangential, axial) of its place.
+// A ring's position is its centre and the direction of its axis, whose components across the bearing's axis
+// are state variables. Rings and cage are solids of revolution, so their angle of rotation matters to pockets
+// and defects only. A ball is described by cylindrical coordinates about the bearing's axis and by the
+// components of its rotation in the axes (radial, tangential, axial) of its position.
 #pragma once
 
 #include "bearing/motion/balls/numbers.hpp"
@@ -35,12 +35,12 @@ struct Body {
           turn};
 }
 
-/// What turns how fast [rad/s].
+/// Angular velocity of a body [rad/s].
 [[gnu::always_inline]] inline Triple<double> rotating(const Body& body) {
   return cross(body.axis, body.axis_rate) + scaled(body.spin, body.axis);
 }
 
-/// Cylindrical place of a ball, with the direction of its radius.
+/// Cylindrical coordinates of a ball, with the direction of its radius.
 template <class Number>
 struct Ball {
   Number radius, axial;          // [m]
@@ -61,7 +61,7 @@ Triple<Number> in_bearing_axes(const Ball<Number>& ball, const Triple<Number>& v
   return {v.x * ball.cosine - v.y * ball.sine, v.x * ball.sine + v.y * ball.cosine, v.z};
 }
 
-/// Of length 1.
+/// The vector at length 1.
 [[gnu::always_inline]] inline Triple<double> unit(const Triple<double>& v) {
   return scaled(1.0 / __builtin_sqrt(dot(v, v)), v);
 }
@@ -101,7 +101,7 @@ struct BallWrench {
   }
 };
 
-/// Where a ball touches: unit vectors in its own axes, from its centre to the contact (n), and along and
+/// Axes of a contact: unit vectors in the ball's own axes, from its centre to the contact (n), and along and
 /// across as in bearing/contact/ellipse_traction.hpp.
 template <class Number>
 struct ContactAxes {
@@ -121,10 +121,10 @@ struct ContactSlopes {
   TractionSlopes<Number> friction;  // with the couple against rolling
 };
 
-// Where cage and ring stand to each other at both ends of the cage's width, where the law of
-// bearing/contact/land_law.hpp holds at each land: so that they also resist tilting.
+// Relative position of cage and ring at both ends of the cage's width. The law of
+// bearing/contact/land_law.hpp holds at each land, so that the lands also resist tilting.
 
-/// Cage less land at `place` along the axes: offset x y, velocity x y, spin of the cage.
+/// Cage less land at `position` along the axes: offset x y, velocity x y, spin of the cage.
 struct LandOffset {
   double by[5];
 };

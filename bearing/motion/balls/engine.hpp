@@ -1,5 +1,5 @@
-// What a version of the ball bearing's equations for one instruction set offers. No header of a library here,
-// since files compiled for special instruction sets include it.
+// Interface of the ball bearing's equations for one instruction set. No header of a library here, since files
+// compiled for special instruction sets include it.
 #pragma once
 
 #include "bearing/motion/balls/numbers.hpp"
@@ -11,8 +11,8 @@ inline constexpr int kRingUnknowns = 5;
 inline constexpr int kCageUnknowns = 6;
 
 /// Order of the padded state: [ r | theta | z | r' | theta' | z' | spin r | spin theta | spin z ] of lanes()
-/// entries each, then cage x y z a_x a_y psi and their rates (its spin in place of psi'), inner ring x y z
-/// a_x a_y and rates, outer ring likewise, and of each scratch of a ball the direction of its middle x y z.
+/// entries each, then cage x y z a_x a_y psi and their rates (its spin instead of psi'), inner ring x y z a_x
+/// a_y and rates, outer ring likewise, and of each scratch of a ball the direction of its middle x y z.
 /// Entries beyond the balls are at rest.
 struct StateLayout {
   static constexpr int kGroups = 9;
@@ -30,12 +30,12 @@ struct StateLayout {
   int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
 };
 
-/// What acts on a ring from outside, by its unknowns: force x y z [N], then moments about y and -x [N m].
+/// External load on a ring, by its unknowns: force x y z [N], then moments about y and -x [N m].
 struct RingLoad {
   double by[kRingUnknowns]{};
 };
 
-/// What is prescribed at one instant.
+/// Prescribed motions and loads at one instant.
 struct Surroundings {
   double inner_spin = 0.0;  // [rad/s]
   double outer_spin = 0.0;  // [rad/s]
@@ -71,7 +71,7 @@ class Engine {
 Engine* baseline_engine(const BallNumbers& numbers);
 Engine* avx2_engine(const BallNumbers& numbers);
 Engine* avx512_engine(const BallNumbers& numbers);
-/// The same in packs of eight, for balls whom packs of sixteen would leave more lanes empty.
+/// The same in packs of eight, for numbers of balls that leave more lanes of packs of sixteen empty.
 Engine* short_avx512_engine(const BallNumbers& numbers);
 
 }  // namespace orbearing::bearing::balls

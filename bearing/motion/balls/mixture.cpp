@@ -18,7 +18,7 @@ double squared(double speed) {
   return speed * std::abs(speed);
 }
 
-// What drags the mixture along, less what holds it back [N m].
+// Driving less resisting moment on the mixture [N m].
 double unbalanced(const MixtureNumbers& m, double inner, double outer, double cage, double speed) {
   return (m.balls + m.cage) * squared(cage - speed) + wall_torque(m, m.inner_radius, inner - speed) +
          wall_torque(m, m.outer_radius, outer - speed) - m.flow * m.pitch_radius * m.pitch_radius * speed;
@@ -50,7 +50,7 @@ double mixture_speed(const MixtureNumbers& m, double inner, double outer) {
   const auto balance = [&](double speed) { return unbalanced(m, inner, outer, cage, speed); };
   const auto [least, most] = std::minmax({0.0, inner, outer, cage});
   const double low = balance(least), high = balance(most);
-  // Where nothing moves, or nothing holds it back.
+  // Cases without motion or without resistance.
   if (!(low > 0.0)) return least;
   if (!(high < 0.0)) return most;
   std::uintmax_t steps = 100;

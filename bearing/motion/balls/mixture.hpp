@@ -39,7 +39,7 @@ double mixture_speed(const MixtureNumbers& mixture, double inner_speed, double o
 /// to go through.
 DragNumbers carried_drag(const DragNumbers& drag, double inner_speed, double outer_speed);
 
-/// What turning rings pay for the walls: torque [N m] of the drive of each.
+/// Losses of rotating rings at the walls: torque [N m] of the drive of each.
 struct WallTorques {
   double inner = 0.0;
   double outer = 0.0;

@@ -81,7 +81,7 @@ RollingLaw regression(const OiledPoint& oil) {
           {}};
 }
 
-// Fitted to points that film/reynolds computes: docs/reynolds.md. Without pressure-viscosity the first alone.
+// Fitted to points that film/reynolds computes: docs/reynolds.md. Without pressure-viscosity only the first.
 RollingLaw computed(const OiledPoint& oil) {
   constexpr PowerLaw rigid{0.405, 0.240, 0.0, 0.5, 0.5}, elastic{36.1, 0.781, -0.200, 0.750, 0.349};
   constexpr double blend = 3.0;
@@ -110,7 +110,7 @@ double inlet_heating(const MotionParameters& given) {
   return given.race.viscosity_slope * given.lubricant.viscosity / given.race.oil_conductivity;
 }
 
-// The oil pressed out between ball and groove, which lies round the ball across the direction of rolling.
+// Squeeze film between ball and groove, which lies round the ball across the direction of rolling.
 PointSqueezeFilm squeeze_film(const MotionParameters& given, double rolling_radius, double ball_radius,
                               double groove_radius) {
   if (!given.race.squeeze) return {};
@@ -237,7 +237,7 @@ DragNumbers drag(const Bearing& bearing, const MotionParameters& parameters) {
   const motion::OilDragParameters& given = parameters.drag;
   if (!given.on) return {};
   const double density = given.oil_share * given.oil_density, diameter = bearing.balls().diameter;
-  // What the cage does not hide of the ball, Eq. (29).
+  // Section of the ball outside of the cage, Eq. (29).
   const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
   const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);

@@ -69,7 +69,7 @@ struct PocketNumbers {
 
 /// A ring or the cage as a rigid body.
 struct BodyNumbers {
-  double mass = 0.0;     // [kg]      0: held, its place is given
+  double mass = 0.0;     // [kg]      0: held, its position is given
   double across = 0.0;   // [kg m^2]  about a diameter
   double polar = 0.0;    // [kg m^2]  about its axis
 };
@@ -82,7 +82,7 @@ struct LandNumbers {
   LandLaw law;          // of one land
 };
 
-/// What drags the oil-air mixture round the bearing and what holds it back (mixture.hpp).
+/// Moments that drive the oil-air mixture round the bearing and that resist it (mixture.hpp).
 struct MixtureNumbers {
   bool carried = false;       // else it rests in the housing, the upper bound of drag
   int count = 0;              // of balls
@@ -99,8 +99,8 @@ struct MixtureNumbers {
   double share = 0.0;         // [-]  its speed over that of the cage at pure rolling
 };
 
-/// How a body stands in the oil: forces -coefficient speed |speed|, speeds in the axes of the housing. In a
-/// mixture that goes round at a fixed share of the cage's speed, coefficients hold what is left of these.
+/// Drag of the oil on a body: forces -coefficient speed |speed|, speeds in the axes of the housing. In a
+/// mixture that rotates at a fixed share of the cage's speed, the coefficients are reduced accordingly.
 struct DragNumbers {
   double translation = 0.0;    // [N s^2/m^2]       of a ball
   double churning = 0.0;       // [N m s^2/rad^2]   of a ball

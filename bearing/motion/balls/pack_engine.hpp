@@ -32,7 +32,8 @@ struct BallPack {
   bool caged = false;
 };
 
-/// What the balls do to a body, summed pack by pack, in the bearing's axes; moments about the body's centre.
+/// Forces of the balls on a body, summed pack by pack, in the bearing's axes; moments about the body's
+/// centre.
 struct BodySums {
   Triple<Pack> force{}, moment{};
 };
@@ -143,7 +144,7 @@ class PackEngine final : public Engine {
   double g_ = 0.0;  // [s]
 };
 
-/// Of a body at `d` [m] from its centre to the ball's: five unknowns, and the spin for a cage.
+/// Columns of a body at `d` [m] from its centre to the ball's: five unknowns, and the spin for a cage.
 inline BodyColumns columns_of(const Ball<Pack>& ball, const Triple<Pack>& d) {
   const Pack c = ball.cosine, s = ball.sine, zero{};
   // A rate of the axis along x turns the body about y, along y about -x.
@@ -155,7 +156,8 @@ inline BodyColumns columns_of(const Ball<Pack>& ball, const Triple<Pack>& d) {
            {zero, zero, zero, zero, zero, spread(1.0)}}};
 }
 
-/// Adds the opposite of `wrench`, which acts at `d` [m] from the body's centre, to what the balls do to it.
+/// Adds the opposite of `wrench`, which acts at `d` [m] from the body's centre, to the forces of the balls on
+/// it.
 inline void react(const Ball<Pack>& ball, const Triple<Pack>& d, const BallWrench<Pack>& wrench,
                   const Mask& present, BodySums& sum) {
   const auto kept = [&](const Triple<Pack>& v) {

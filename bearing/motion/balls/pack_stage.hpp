@@ -2,12 +2,11 @@
 // instruction set only.
 //
 // A contact's wrench on its ball follows the motion of the other body relative to the ball at the ball's
-// centre, t, by a matrix Z = g dw/dt + g^2 dw/d(place), the same whichever of both moves: with B the motion of
-// the body at the ball's centre by its own unknowns,
-//
+// centre, t, by a matrix Z = g dw/dt + g^2 dw/d(position), the same whichever of both moves: with B the
+// motion of the body at the ball's centre by its own unknowns,
 //   ball:  [M + Z] k - Z B k_body,     body:  -B^T Z k + [M_body + B^T Z B] k_body
 //
-// All rows are forces and moments: the ball's masses stand on its diagonal.
+// All rows are forces and moments: the ball's masses are on its diagonal.
 #pragma once
 
 #include "bearing/motion/balls/pack_engine.hpp"
@@ -122,7 +121,7 @@ void PackEngine::build_block(int p, double g) {
 inline void PackEngine::add_lands(double g) {
   if (!c_.land.present) return;
   const int ring = c_.land.on_outer ? kOuter : kInner;
-  // Unknowns of a body by the two components of the offset at a land: its centre, and its axis times place.
+  // Unknowns of a body by the two components of the offset at a land: its centre, its axis times position.
   for (int side = 0; side < 2; ++side) {
     const double position = side == 0 ? -c_.land.offset : c_.land.offset;
     for (int i = 0; i < 3; ++i) {
@@ -186,8 +185,8 @@ bool PackEngine::assemble(double g) {
   return shared_end() > kOuter ? assemble<kShared>(g) : assemble<kOuter>(g);
 }
 
-/// Change of a contact's wrench on the ball when places alone move: the other body's point by `shift` relative
-/// to the ball.
+/// Change of a contact's wrench on the ball when only positions move: the other body's point by `shift`
+/// relative to the ball.
 inline BallWrench<Pack> shifted(const ContactSlopes<Pack>& s, const Triple<Pack>& shift) {
   const Pack along_normal = dot(shift, s.axes.normal), across = dot(shift, s.axes.across);
   const Pack load = s.load_by_approach * along_normal;
@@ -219,7 +218,7 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
   }
 }
 
-// Of the film's load, the same for places alone.
+// The same for the film's load, by positions only.
 inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns, const double* cage,
                                  const Triple<Pack>& own, const Mask& here, double* rows,
                                  BallWrench<Pack>& sum) const {

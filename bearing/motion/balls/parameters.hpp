@@ -1,12 +1,12 @@
-// What the motion of a ball bearing needs beyond that of a roller bearing. Every default is an assumption;
-// its reason stands in the row beneath.
+// Parameters of the motion of a ball bearing in addition to those of a roller bearing. Every default is an
+// assumption; the row below states its reason.
 #pragma once
 
 #include "bearing/motion/parameters.hpp"
 
 namespace orbearing::bearing::balls {
 
-/// How the resistance of a ball to rolling follows from load and speed.
+/// Resistance of a ball to rolling as a function of load and speed.
 enum class BallRolling {
   houpert,   // the regression of [Houpert1987]
   reynolds,  // computed: Reynolds' equation of elliptical contacts
@@ -69,9 +69,9 @@ void describe(Visitor& visit, PocketParameters& m) {
                  .reason = "round pockets"}));
 }
 
-/// How the oil-air mixture round the balls moves.
+/// Motion of the oil-air mixture round the balls.
 enum class OilMotion {
-  carried,  // with a speed of its own, by its balance of angular momentum (mixture.hpp)
+  carried,  // with its own speed, by the balance of its angular momentum (mixture.hpp)
   at_rest,  // in the housing: the upper bound of drag, Eqs. (29) and (30) of [Chen2026]
 };
 
@@ -79,7 +79,7 @@ constexpr described::Names<OilMotion, 2> names_of(OilMotion) {
   return {{{OilMotion::carried, "carried"}, {OilMotion::at_rest, "at-rest"}}};
 }
 
-/// Where the share of oil in the free volume is from.
+/// Source of the share of oil in the free volume.
 enum class OilFill {
   stated,  // lubricant.share
   parker,  // by flow, speed and size [Parker1984], mixture.hpp
@@ -119,7 +119,7 @@ void describe(Visitor& visit, MixtureParameters& m) {
 struct RingBodyParameters {
   double mass = 0.0;    // [kg]      0: that of the ring
   double across = 0.0;  // [kg m^2]  about a diameter; 0: that of the ring
-  bool held = false;    // its place is given
+  bool held = false;    // its position is given
 };
 
 /// All that the motion of balls adds to Bearing.

@@ -8,7 +8,7 @@
 //
 // Before they touch, oil may keep them apart (Eqs. (19) and (23) of [Chen2026], whose integrals over the film
 // have the closed forms of bearing/contact/squeeze_film.hpp): on the side that is nearer and on the one
-// opposite, so that a ball in the middle is held by squeeze alone.
+// opposite, so that a ball in the middle is held by squeeze only.
 #pragma once
 
 #include "bearing/contact/damping.hpp"
@@ -45,11 +45,11 @@ struct PocketFilmSlopes {
   Number rotating;       // [N m s]    against turning about either
 };
 
-/// Adds the oil on both sides of a ball that stands `distance` [m] off the pocket's middle line along
-/// `axes.normal`; on the other side the gap is wider by `longer` [m] in an oblong pocket. A film is entrained by
-/// half the speed at which its surfaces slide: the contact stands in the pocket. A ball that moves round the
-/// middle squeezes too: as much as outwards in the middle itself, less of it by (1 - e^2)/(1 + 2 e^2) off it, as
-/// in a short journal bearing of the eccentricity e.
+/// Adds the oil on both sides of a ball `distance` [m] off the pocket's middle line along `axes.normal`; on
+/// the other side the gap is wider by `longer` [m] in an oblong pocket. A film is entrained by half the speed
+/// at which its surfaces slide: the contact is fixed in the pocket. A ball that moves round the middle
+/// squeezes too: as much as outwards in the middle itself, less of it by (1 - e^2)/(1 + 2 e^2) off it, as in
+/// a short journal bearing of the eccentricity e.
 template <bool kSlopes, class Number>
 void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, const Number& distance,
                      const Number& longer, const Triple<Number>& approaching, const Triple<Number>& turn,

@@ -9,7 +9,7 @@ namespace orbearing::bearing::balls {
 
 namespace {
 
-constexpr double kShift = 1e-9;     // [m]    of a place, for the slopes
+constexpr double kShift = 1e-9;     // [m]    of a position, for the slopes
 constexpr double kBalanced = 1e-3;  // [N]    of loads of hundreds: some 1e-10 m
 constexpr double kSlow = 0.3;       // [-]    of a step of the search: slopes are renewed
 constexpr double kUntouched = 1e3;  // [N/m]  more than its inertia slopes, less than any contact does
@@ -45,7 +45,7 @@ PublishedForm::PublishedForm(BallBearing& bearing)
     inertia_[i] = i < 2 * balls_ + 3 ? body.mass : body.across / c.pitch_radius;
 }
 
-// Balls' radii, their axial places, then the ring's: by so many metres, of a tilt at the pitch circle.
+// Balls' radii, their axial positions, then the ring's: by so many metres, of a tilt at the pitch circle.
 void PublishedForm::move(Eigen::Index i, double by) {
   const int lanes = bearing_.layout().lanes();
   const auto at = [&](Eigen::Index index) -> double& { return x_[static_cast<std::size_t>(index)]; };

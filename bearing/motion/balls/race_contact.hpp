@@ -25,7 +25,7 @@ namespace orbearing::bearing::balls {
 // the rest of the gradient of the contact's energy: their moments about the ring's axis cancel, since the
 // ring is round.
 
-/// A scratch as one contact of one ball sees it.
+/// A scratch in the axes of one ball, for one of its contacts.
 template <class Number>
 struct SeenSpot {
   Triple<Number> position;  // [-]  direction of its middle, in the ball's axes
@@ -39,7 +39,7 @@ struct SeenSpots {
   SeenSpot<Number> spot[SpotNumbers::kMost];
 };
 
-/// What they do to a contact.
+/// Effect of the spots on a contact.
 template <class Number>
 struct SpotTouch {
   Number depth{};           // [m]
@@ -48,7 +48,7 @@ struct SpotTouch {
   Triple<Number> moment{};  // [m]    likewise
 };
 
-/// Motion of a contact's normal n, as race_touch() knows it.
+/// Motion of a contact's normal n, as in race_touch().
 template <class Number>
 struct NormalMotion {
   Triple<Number> normal, along, across;  // [-]    across = n x along
@@ -101,7 +101,7 @@ SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const SeenSpo
   return sum;
 }
 
-/// What passes in one contact.
+/// Forces, motion and losses of one contact.
 template <class Number>
 struct RaceTouch {
   BallWrench<Number> on_ball;
@@ -116,14 +116,14 @@ struct RaceTouch {
   Number damping_power{}, sliding_power{}, spin_power{}, differential_power{}, rolling_power{};  // [W]
 };
 
-/// What scratches of the race do to a contact.
+/// Depth of the scratches of the race at a contact.
 template <class Number>
 struct ElementDepth {
   Number depth{};     // [m]
   Number by_angle{};  // [m/rad]  its slope by the ball's angle about the ring's axis
 };
 
-/// `outward` and `along` from the ring's axis, in the ball's axes. The sine stands for the angle from a
+/// `outward` and `along` from the ring's axis, in the ball's axes. The sine approximates the angle from a
 /// scratch.
 template <class Number>
 ElementDepth<Number> element_depth(const ScratchNumbers& c, const Ball<Number>& ball, double turn,
@@ -242,7 +242,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
                             only(loaded, traction.turn_across + rolling_moment)};
   touch.on_ball.force =
       scaled(force[0], axes.normal) + scaled(force[1], axes.along) + scaled(force[2], axes.across);
-  // Where the floor slopes the load pushes the ball along.
+  // If the floor is inclined, the load pushes the ball along.
   if (groove.scratch.count > 0)
     touch.on_ball.force += scaled(load * scratched.by_angle * per_away, axes.along);
   if (spots.count > 0) touch.on_ball.force += scaled(load, spotted.force);

@@ -41,7 +41,7 @@ struct RaceNumbers {
 
   FilmLaw<Number> film_law;
   SqueezeFilm<Number> squeeze;
-  // Of a film that is a power law, as its own search takes it.
+  // Constants of a film that is a power law, in the form that its own search uses.
   Number film_factor{};        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
   Number film_cap{};           // [m]  largest film at 1 m/s
   Number film_cap_approach{};  // [m]  elastic approach where the cap begins, at 1 m/s
@@ -61,7 +61,7 @@ struct RaceConstants : RaceLaws {
   Listed<RaceScratch> scratches;
 };
 
-/// What the search by powers takes of the film law and the stiffness.
+/// Sets the constants of film law and stiffness for the search by powers.
 inline void set_film_powers(RaceNumbers<double>& c) {
   using Film = FilmLaw<double>;
   c.film_factor = mechanics::exponential(c.film_law.log_factor - Film::kLoad * c.log_stiffness);
@@ -98,7 +98,7 @@ struct LandConstants {
 };
 
 /// Rollers that touch one another without a cage, the same for all. Assumption: they meet along their whole
-/// length, whatever their profile and tilt, with the line contact of the races, whose law knows no radius.
+/// length, whatever their profile and tilt, with the line contact of the races, whose law contains no radius.
 struct NeighbourConstants {
   double stiffness = 0.0;  // [N/m^(10/9)]
   double damping = 0.0;    // [s/m]

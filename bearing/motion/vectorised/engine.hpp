@@ -1,5 +1,5 @@
-// What a version of the vectorised bearing for one instruction set offers. No header of a library here, since
-// files compiled for special instruction sets include it.
+// Interface of the vectorised bearing for one instruction set. No header of a library here, since files
+// compiled for special instruction sets include it.
 #pragma once
 
 #include "bearing/motion/vectorised/constants.hpp"
@@ -41,30 +41,30 @@ using PaddedLayout = Layout<int, kPadding>;
 }
 
 /// Loads of all contacts at the last evaluation [N], lanes() entries each; of contacts cut into laminae also
-/// where they stand.
+/// their approaches.
 struct ContactLoads {
   const double* inner;
   const double* outer;
   const double* inner_approach = nullptr;  // [m]  elastic, in the middle of the roller; null: not cut
   const double* outer_approach = nullptr;  // [m]
   const double* end_displacement =
-      nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+      nullptr;  // [m]  displacement of the roller at x = l/2 further outward than in the middle
 };
 
-/// What each roller brings along, lanes() entries each.
+/// Constants of each roller, lanes() entries each.
 struct RollerConstants {
   const double* pocket_cosine;  // [-]  of the pocket's angle from the first
   const double* pocket_sine;    // [-]
   const double* radius;         // [m]
 };
 
-/// How a race turns.
+/// Rotation of a race.
 struct RaceTurn {
   double speed = 0.0;   // [rad/s]
   double turned = 0.0;  // [rad]  since the start
 };
 
-/// What is prescribed at one instant.
+/// Prescribed motions and loads at one instant.
 struct Surroundings {
   CarrierFrame frame;
   RaceTurn pin;
@@ -83,22 +83,23 @@ struct Surroundings {
   constants.gravity = now.gravity;
 }
 
-/// What rollers and land do to the bore.
+/// Forces of rollers and land on the bore.
 struct BoreForces {
   double x = 0.0, y = 0.0;  // [N]
   double moment = 0.0;      // [N m]  about its axis
 };
 
-/// Slopes of the force on the bore by its own place [N/m] and velocity [N s/m], all else held; rows x and y.
+/// Slopes of the force on the bore by its own position [N/m] and velocity [N s/m], all else held; rows x and
+/// y.
 struct BoreSlopes {
   double by_position[2][2]{};
   double by_velocity[2][2]{};
 };
 
-/// What is left of the bearing for a stage of the bore once all else is eliminated: force and moment on the
-/// bore in g J k are reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and of its
-/// rotation [rad/s^2], and `reduced` from Engine::reduce. Row and column of the rotation are zero where it is
-/// left out.
+/// Matrix of the bearing for a stage of the bore once all else is eliminated: force and moment on the bore in
+/// g J k are reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and of its rotation
+/// [rad/s^2], and `reduced` from Engine::reduce. Row and column of the rotation are zero where it is left
+/// out.
 struct PortMatrix {
   double a[3][3]{};  // [kg], [kg m], [kg m^2]
 };
@@ -123,7 +124,7 @@ class Engine {
   virtual BoreForces bore_forces() const = 0;
   /// At the last linearisation.
   virtual BoreSlopes bore_slopes() const = 0;
-  /// As factor(), for all but the bore's velocity and, with a cage and where it is `turning` at a speed that
+  /// As factor(), for all but the bore's velocity and, with a cage and if it is `rotating` at a speed that
   /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter
   /// longer.
   virtual bool factor_open(double g, bool rotating, PortMatrix& port) = 0;
@@ -135,7 +136,7 @@ class Engine {
   virtual void complete(const double* rhs, const double (&rate)[3], double* k) const = 0;
 };
 
-// Makers of engines for each instruction set; each stands in its own file with its own compiler options.
+// Makers of engines for each instruction set; each is in its own file with its own compiler options.
 
 Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers);
 Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers);

@@ -16,8 +16,7 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// What a neighbour's motion changes: slopes of the force on the roller by its motion relative to the
-/// neighbour, and where that is.
+/// Slopes of the force on the roller by its motion relative to the neighbour, and position of the neighbour.
 struct NeighbourSlopes {
   ContactSlopes<Pack> on_roller;
   Pack by_neighbour_spin[3];

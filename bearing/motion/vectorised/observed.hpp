@@ -1,5 +1,5 @@
-// What can be read off the rollers at one instant: the laws of the engines once more, without slopes and by
-// one instruction set for all. No header of a library here, since a file compiled by the packs includes it.
+// Observed values of the rollers at one instant: the laws of the engines once more, without slopes and by one
+// instruction set for all. No header of a library here, since a file compiled by the packs includes it.
 #pragma once
 
 #include "bearing/motion/vectorised/engine.hpp"
@@ -24,13 +24,13 @@ struct SeenContact {
 
 struct SeenRoller {
   SeenContact<double> inner, outer;
-  // Of the contact with the neighbour ahead, without a cage.
+  // Contact with the neighbour ahead, without a cage:
   double neighbour_load = 0.0;    // [N]
   double neighbour_energy = 0.0;  // [J]
   double neighbour_power = 0.0;   // [W]  lost
 };
 
-/// Of the padded state `x`; `seen` holds as many as there are rollers.
+/// Observes the padded state `x`; `seen` holds as many entries as there are rollers.
 void observe(const Constants& constants, const RollerConstants& rollers, const double* x, SeenRoller* seen);
 
 }  // namespace orbearing::bearing::vectorised

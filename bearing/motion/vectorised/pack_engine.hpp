@@ -92,7 +92,7 @@ struct NeighbourPack {
   NeighbourSlopes ahead, behind;
 };
 
-/// What the rollers do to the rings, summed pack by pack.
+/// Forces of the rollers on the rings, summed pack by pack.
 struct RingLoads {
   Pair pin, bore, cage;
   Pack cage_moment{};
@@ -159,7 +159,7 @@ class PackEngine final : public Engine {
   static constexpr int kEndDisplacement = 5;  // group of the end displacements in the state
   using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
 
-  // What a full complement takes is compiled apart, so that bearings with a cage do not carry it: their
+  // The code of a full complement is compiled separately, so that bearings with a cage do not carry it: their
   // right-hand side would take a tenth longer.
   template <bool WithSlopes, bool Caged>
   void evaluate(const double* x, double load_x, double load_y, double* dx);
@@ -213,7 +213,7 @@ class PackEngine final : public Engine {
   BoreArm bore_arm(const RollerPack& at) const {
     return {at.r - (bore_x_ * at.cosine + bore_y_ * at.sine), bore_x_ * at.sine - bore_y_ * at.cosine};
   }
-  // Of the bore's rows: forces stand there over its mass, the moment by itself.
+  // Scale of the bore's rows: forces are divided by its mass, the moment is not.
   double bore_scale(int i) const { return i < 2 ? c_.bore_mass : 1.0; }
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
@@ -346,7 +346,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
                                         e_y * cosine - e_x * sine, cage[5],
                                         motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
     } else {
-      PocketForce pushed;  // by the neighbours, in place of a pocket
+      PocketForce pushed;  // by the neighbours, instead of a pocket
       const bool touched =
           push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed.on_roller);
       if constexpr (WithSlopes) touching_ = touching_ || touched;

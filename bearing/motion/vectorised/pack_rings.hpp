@@ -8,8 +8,8 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// Force of the land on the cage, with its slopes kept for the matrix. It waits for itself all the time and
-/// for nothing that the rollers do: asked for before them, it passes while they are evaluated.
+/// Force of the land on the cage, with its slopes kept for the matrix. It is a long chain of dependent
+/// operations and independent of the rollers: started before them, it runs in parallel with them.
 template <bool WithSlopes>
 LandForce<double> PackEngine::evaluate_land(const double* x) {
   const double* cage = x + layout_.cage();

@@ -7,7 +7,7 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// Change of a contact force when positions alone move: rollers by (dr, dtheta), the body by (dx, dy).
+/// Change of a contact force when only positions move: rollers by (dr, dtheta), the body by (dx, dy).
 struct Shift {
   Pack d_r, d_t, w_r, w_t;
 };
@@ -26,7 +26,7 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   return change;
 }
 
-/// What the neighbours' shifts and the rollers' own change in the forces between them, added.
+/// Adds the changes of the forces between neighbours by their shifts and the rollers' own.
 inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
                                      Pack& moment) const {
   const RollerPack& at = linear_[p];
@@ -48,7 +48,7 @@ inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, 
 }
 
 /// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
-/// open bore hold force and moment on it alone.
+/// open bore hold only force and moment on it.
 template <bool OpenBore, bool Caged>
 void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenUnknowns]) const {
   const double* cage = rhs + layout_.cage();
@@ -158,9 +158,9 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
   b[6] = of_rollers[6] + cage[5] + (g / c_.cage_inertia) * land[2];
 }
 
-/// Rates of the end displacements, once those of roller and rings are known; `shift` is that of the rollers' radii. Where
-/// the rollers stand in their contacts is taken along the ray from the origin, which leaves that of the rings
-/// out.
+/// Rates of the end displacements, once those of roller and rings are known; `shift` is that of the rollers'
+/// radii. The change of the contacts' approaches is taken along the ray from the origin, which leaves that of
+/// the rings out.
 inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift,
                                      const double (&b)[kOpenUnknowns], double* k) const {
   const RollerPack& at = linear_[p];
@@ -174,8 +174,8 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
         entry(k, kEndDisplacement, p));
 }
 
-/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left
-/// out of J, since the rim gives way far less than the contacts; the order does not ask for it.
+/// Rates of the waves of an elastic rim, each separately: the coupling of waves and rollers is left out of J,
+/// since the rim deflects far less than the contacts; the order does not require it.
 inline void PackEngine::complete_waves(const double* rhs, double* k) const {
   const double *position = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
@@ -211,7 +211,7 @@ void PackEngine::complete_rollers(const double* rhs, const double (&b)[kOpenUnkn
     store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
     if (layout_.tilting) tilt_rollers(p, rhs, shift, b, k);
   }
-  // What rollers have turned is no part of J: the order does not ask for it.
+  // The turning of rollers is no part of J: the order does not require it.
   for (int i = layout_.turned(); i < layout_.end(); ++i) k[i] = rhs[i];
   complete_waves(rhs, k);
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
@@ -310,8 +310,8 @@ void PackEngine::complete_open(const double* rhs, const double (&rate)[3], doubl
   complete_rollers<Caged>(rhs, b, k);
 }
 
-/// The force on the roller changes with its place relative to the bore, and the opposite acts on the bore:
-/// the slope by the bore's own place is that of the force on the roller by the roller's.
+/// The force on the roller changes with its position relative to the bore, and the opposite acts on the bore:
+/// the slope by the bore's own position is that of the force on the roller by the roller's.
 inline BoreSlopes PackEngine::bore_slopes() const {
   Pack position[2][2]{}, velocity[2][2]{};
   for (int p = 0; p < packs_; ++p) {

@@ -8,8 +8,8 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// What the pocket's slopes have beyond those by relative motion: those by the cage's rotation, and the
-/// moment on the cage.
+/// Slopes of the pocket in addition to those by relative motion: those by the cage's rotation, and the moment
+/// on the cage.
 struct PocketSlopes {
   ContactSlopes<Pack> on_roller;  // by motion of the roller relative to the cage's centre
   Pack by_angle[3];               // of (f_r, f_t, moment) by the cage angle
@@ -55,7 +55,7 @@ struct PocketSum {
   PocketRate force;
   PocketRate by[kPocketVariables];
 
-  /// Where `where` holds.
+  /// Adds the touch in the lanes of `where`.
   template <bool WithSlopes, class Touch>
   void add(const Mask& where, const Touch& touch) {
     using mechanics::value_of;

@@ -91,7 +91,7 @@ inline void split(const ContactSlopes<PackPair>& both, ContactSlopes<Pack>& inne
   }
 }
 
-/// How rollers move against a race: exact kinematics of rigid bodies, where the line of centres turns at its
+/// Motion of rollers against a race: exact kinematics of rigid bodies, where the line of centres turns at its
 /// own rate; speeds along the tangent t = z x n.
 struct RaceMotion {
   PackPair n_r, n_t;              // [-]    normal, from the race's centre to the roller's
@@ -185,7 +185,7 @@ TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x,
   return t;
 }
 
-/// What the laws give in a motion.
+/// Loads and slopes of the laws at one motion.
 struct RaceLoads {
   PackPair elastic_approach, elastic_load;       // [m], [N]  in the middle of the contact
   PackPair load;                                 // [N]  >= 0, with damping and squeeze
@@ -201,7 +201,7 @@ struct ElasticLoad {
   LoadSlope load;
 };
 
-/// Adds what the oil that is pressed out gives to `x`, in which the elastic load with its damping stands.
+/// Adds the squeeze film to `x`, which holds the elastic load with its damping.
 template <bool WithSlopes>
 void add_squeeze(const RacePair& race, const RaceMotion& m, const ElasticLoad& e, const PackPair& log_speed,
                  RaceLoads& x) {
@@ -270,7 +270,7 @@ RaceLoads race_loads(const RacePair& race, const RaceMotion& m, const Pack& cosi
   return x;
 }
 
-/// How load, friction and rolling resistance of a contact change with one variable of its motion.
+/// Derivatives of load, friction and rolling resistance of a contact by one variable of its motion.
 struct LawRate {
   PackPair load, friction, inlet;
 };
@@ -286,7 +286,7 @@ LawRate operator*(const Number& scale, const LawRate& x) {
 /// By what the laws see of a motion.
 struct LawSlopes {
   LawRate approach, closing, rolling;
-  PackPair sliding;  // of the friction alone
+  PackPair sliding;  // of the friction only
 };
 
 inline LawSlopes law_slopes(const RaceLoads& x) {
@@ -418,7 +418,7 @@ inline ContactForce<PackPair> contact_force(const RaceMotion& m, const RaceLoads
 }
 
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
-/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places. `stand` is
+/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' angles. `stand` is
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<PackPair> race_contact(const RacePair& race, const Pack& radius, const Mask& present,

@@ -1,12 +1,12 @@
-// What the form of a race changes in a contact: bearing/contact/race_form.hpp for packs of contacts, with one
+// Effect of the form of a race on a contact: bearing/contact/race_form.hpp for packs of contacts, with one
 // derivative more. The load stays the slope of the stored energy:
 //
 //   approach = s (distance - R(phi)) + a,   phi: angle of the normal n
 //   force on the roller = -load d(approach)/d(position) = -s load n + s load R'(phi) / distance t
 //
-// so that a small tangential force joins the normal one; its moment about the race's centre, s load R', goes
-// to the race, for the roller is round and takes none. A scratch of the race is a form too. One of the roller
-// is as well, but turns with the roller, which then takes the moment.
+// so that a small tangential force joins the normal one; its moment about the race's centre, s load R', acts
+// on the race, since the roller is round and takes none. A scratch of the race is a form too. So is a scratch
+// of the roller, but it turns with the roller, which then takes the moment.
 #pragma once
 
 #include "bearing/motion/vectorised/race_load.hpp"
@@ -45,8 +45,8 @@ inline void add_scratches(const RaceConstants& race, const Pack& cosine, const P
   }
 }
 
-/// What of the state the scratches of rollers and the waves of an elastic rim ask for, and what the rollers do to
-/// the latter.
+/// State of the scratches of rollers and of the waves of an elastic rim, and the forces of the rollers on the
+/// waves.
 struct FormState {
   int first = 0;                       // number of the pack's first roller
   const double* turned = nullptr;      // [rad]  (followed)
@@ -67,7 +67,7 @@ struct PackMultiples {
   }
 };
 
-/// Adds the waves of the elastic outer race, as a form that stands in the carrier and changes.
+/// Adds the waves of the elastic outer race, as a form that is fixed in the carrier and changes.
 inline void add_rim(int waves, const FormState& state, const Pack& cosine, const Pack& sine,
                     FormSlopes<PackPair>& form) {
   Pack height = spread(state.wave[0]), rate = spread(state.wave_speed[0]), slope{}, bend{}, rate_slope{};

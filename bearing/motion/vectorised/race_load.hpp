@@ -176,7 +176,7 @@ struct LoadSlope {
   PackPair slope;
 };
 
-/// Of a straight roller.
+/// Load of a straight roller.
 inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
   const PackPairMask touching = e.value > 0.0;
   const PackPair stiffness = only(touching, race.stiffness * e.ninth);
@@ -188,7 +188,7 @@ inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
 using namespace mechanics::ORBEARING_PACKS;
 
 /// Sums over the laminae of both contacts of each roller, d being the approach of a lamina: of d^(10/9), of
-/// d^(1/9), and of both times the place and its square.
+/// d^(1/9), and of both times the position and its square.
 struct LaminaPackSums {
   PackPair load{}, end_load{};
   PackPair by_approach{}, mixed{}, by_end_displacement{};
@@ -198,7 +198,7 @@ inline NumberPair drop_of(const LaminaConstants& laminae, int k) {
   return {laminae.inner_drop[k], laminae.outer_drop[k]};
 }
 
-/// No roller tilts: one half of the laminae stands for both.
+/// No roller tilts: one half of the laminae represents both.
 inline LaminaPackSums upright_sums(const LaminaConstants& laminae, const PackPair& elastic) {
   LaminaPackSums sums;
   for (int k = 0; 2 * k < laminae.count; ++k) {
@@ -228,14 +228,14 @@ inline LaminaPackSums tilted_sums(const LaminaConstants& laminae, const PackPair
   return sums;
 }
 
-/// How much more each contact is approached at x = l/2 where the roller stands at `end_displacement`, the
-/// bore at `outer_end_displacement`.
+/// Additional approach of each contact at x = l/2 with the roller at `end_displacement`, the bore at
+/// `outer_end_displacement`.
 inline PackPair end_displacements(const Pack& end_displacement, const Pack& outer_end_displacement) {
   return {-end_displacement, end_displacement - outer_end_displacement};
 }
 
-/// How a pack of rollers stands in its contacts and tilts: motion::LaminaStand, and the rate of the
-/// end displacement with its slopes.
+/// Approaches and tilt of a pack of rollers: motion::LaminaStand, and the rate of the end displacement with
+/// its slopes.
 struct LaminaStand {
   Pack inner_approach{}, outer_approach{}, end_displacement{};  // [m]
   Pack rate{};                                                  // [m/s]  of the end displacement
@@ -243,9 +243,9 @@ struct LaminaStand {
       by_outer{};  // [1/s]  its slopes, the latter by the rigid bodies' approaches
 };
 
-/// Load of each contact and its slope by its own elastic approach. What the tilt passes from one variable to
-/// the loads is left out of the slopes: the integrator keeps its order with any matrix, and the tilt itself
-/// is solved for with all of its own (PackEngine::complete_rollers).
+/// Load of each contact and its slope by its own elastic approach. The effect of the tilt through other
+/// variables on the loads is left out of the slopes: the integrator keeps its order with any matrix, and the
+/// tilt itself is solved for with all of its own (PackEngine::complete_rollers).
 inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const Pack& cosine,
                              const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;

@@ -197,8 +197,8 @@ void PackEngine::build_block(int p, double g) {
   }
 }
 
-/// What acts on the rings apart from rollers: frame, support, land, drag of the cage. The rows of an open
-/// bore hold the forces on it alone.
+/// Forces on the rings apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
+/// hold only the forces on it.
 template <bool OpenBore, bool Caged>
 void PackEngine::add_rings(double g, RingBlock& rings) const {
   const auto frame = [&](int first) {

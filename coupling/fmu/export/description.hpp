@@ -21,7 +21,7 @@ std::string archive_of(const std::vector<ArchiveFile>& files);
 /// Version of the interface that an FMU is for.
 enum class Interface { fmi2, fmi3 };
 
-/// What stands in a model description beside the variables.
+/// Options of a model description besides the variables.
 struct DescriptionOptions {
   Interface interface = Interface::fmi2;
   std::string name;    // of the model, any text

@@ -71,7 +71,7 @@ namespace {
 
 constexpr double kIdle = 1e-3;  // of the greatest load: less takes nothing from the life
 
-// Pressures [Pa] (laminae, places) on one race, at some of the cage angles.
+// Pressures [Pa] (laminae, positions) on one race, at some of the cage angles.
 Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
                              const Profile& profile, const QuasiStaticResult& loads, int angles) {
   const bool inner = race == Race::inner;
@@ -94,7 +94,7 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
   return found;
 }
 
-// Of all bearings of a duty on one race.
+// Loads of all bearings of a duty on one race.
 Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
                          const Profile& profile, const DutyLoads& loads, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
@@ -105,7 +105,7 @@ Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPre
   return mean_by_damage(all);
 }
 
-// Of one duty alone, whose loads are known.
+// Life of a single duty with known loads.
 double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles = 2) {
   const auto on = [&](Race race) { return loads_on(race, problem, pressure, profile, loads, angles); };

@@ -1,4 +1,4 @@
-// Life and pressure over drops and tilts, computed in parallel, and which designs are worth a thought.
+// Life and pressure over drops and tilts, computed in parallel, and efficient designs.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ class RollerPressure {
 /// The most loaded roller on one race, over all bearings and cage angles.
 struct WorstRoller {
   double load = 0.0;   // [N]
-  double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive places
+  double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive positions
   double angle = 0.0;  // [rad]
 };
 
@@ -43,14 +43,14 @@ struct PeakPressure {
   bearing::Race race = bearing::Race::inner;
 };
 
-/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties,
-/// in their order. The roller's tilt is that of its balance on laminae.
+/// Peak pressure of the most loaded roller on each race, at the duty that loads it most; `loads` are those of
+/// the duties, in their order. The roller's tilt is that of its equilibrium on laminae.
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile, const std::vector<DutyLoads>& loads);
 
-// Life from the pressures of the elastic half-space, which sees for itself what ends and tilts do.
+// Life from the pressures of the elastic half-space, which include the effects of ends and tilts.
 
-/// Life [h] by hours_without_riser() of the loads that would press as hard, as line contacts, in place of
+/// Life [h] by hours_without_riser() of the loads that would press as hard, as line contacts, instead of
 /// lamina loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded
 /// roller of all bearings, on both races, at `angles` of the cage angles, about a millisecond each; the loads
 /// and tilts of the rollers are those on laminae.
@@ -62,20 +62,20 @@ std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPres
                                    const bearing::profile::Profile& profile, const std::vector<double>& tilts,
                                    int jobs);
 
-// What each duty of a spectrum does to a crown.
+// Results of a crown for each duty of a spectrum.
 
 /// One duty under a profile, at the tilt at which all duties together leave the shortest life.
 struct DutyRecord {
   double tilt = 0.0;                 // [rad]  largest of a bore against its pin
   double load_share = 1.0;           // [-]    largest load of a bearing of a planet over their mean
-  double life_hours = 0.0;           // [h]  at this duty alone
+  double life_hours = 0.0;           // [h]  at this duty only
   double pressure_life_hours = 0.0;  // [h]  the same from half-space pressures
   double damage_share = 0.0;         // [-]  of all damage, by the rule of Palmgren and Miner
   PeakPressure pressure;
 };
 
-/// Of all duties, in their order, on `jobs` threads (0: all). Throws std::runtime_error where loads do not
-/// balance.
+/// Records of all duties, in their order, on `jobs` threads (0: all). Throws std::runtime_error if there is
+/// no static equilibrium.
 std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPressure& pressure,
                                      const bearing::profile::Profile& profile,
                                      const std::vector<double>& tilts, int jobs);
@@ -89,7 +89,7 @@ struct CrownPoint {
   double lundberg_palmgren_hours = 0.0;  // [h]
   bearing::rating::RatedHours rated_hours{};  // by the standards
   PeakPressure pressure;                      // greatest over the spectrum
-  std::string status = "ok";                  // "ok" or why there is no balance
+  std::string status = "ok";                  // "ok" or why there is no equilibrium
 };
 
 /// Called as points finish, from several threads, with how many are done.
@@ -102,7 +102,7 @@ std::vector<CrownPoint> crown_grid(const CrownProblem& problem, const RollerPres
                                    const std::vector<double>& drops, const std::vector<double>& tilts,
                                    int jobs, const Progressed& progressed);
 
-/// Lives alone, [h] (profiles, tilts): what a wide study needs.
+/// Lives only, [h] (profiles, tilts), for a wide study.
 Eigen::ArrayXXd life_grid(const CrownProblem& problem, const std::vector<bearing::profile::Profile>& profiles,
                           const std::vector<double>& tilts, int jobs);
 
@@ -111,10 +111,10 @@ struct WorstOfTilts {
   double drop = 0.0;           // [m]
   double life_hours = 0.0;     // [h]   shortest; NaN where a point failed
   double peak_pressure = 0.0;  // [Pa]  greatest
-  bool efficient = false;      // no other drop lives longer at a lower or equal pressure
+  bool efficient = false;      // no other drop has a longer life at a lower or equal pressure
 };
 
-/// Of a grid with `tilts` tilts; on the front of life against pressure where `efficient`.
+/// Worst points of a grid with `tilts` tilts; `efficient`: on the front of life against pressure.
 std::vector<WorstOfTilts> worst_of_tilts(const std::vector<CrownPoint>& points, std::size_t tilts);
 
 }  // namespace orbearing::study::crowning

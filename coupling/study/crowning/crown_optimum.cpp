@@ -114,8 +114,8 @@ bool improve(Search& search, std::vector<double>& x) {
   }
 }
 
-// Where a lamina just touches, slopes change so fast that the programme's picture of the curvature misleads
-// it and it stops short. It begins anew, without that picture, until nothing more is gained.
+// At a lamina that just touches, slopes change so fast that the programme's model of the curvature is
+// misleading and the search stops early. It restarts without that model until there is no further gain.
 SearchEnd search_from(const Crown& start, Search search) {
   SearchEnd end{.start = start};
   std::vector<double> x{start.drop / search.options.greatest_drop};
@@ -143,7 +143,8 @@ double log_life_alone(unsigned, const double* x, double*, void* data) {
   return search.worst_log_life(search.crown(x));
 }
 
-// Of one member, without derivatives: balances of a planet that finds its tilt start anew each time.
+// Search for one member, without derivatives: equilibria of a planet with a computed tilt start anew each
+// time.
 SearchEnd search_freely(const Crown& start, Search search) {
   constexpr double first_step = 0.05, relative_end = 1e-6;
   SearchEnd end{.start = start};

@@ -3,7 +3,7 @@
 //
 //   greatest z  with  z <= ln L(drop + e, share; tilt)  for all members (e, tilt)
 //
-// so that the worst of several lives has smooth constraints in place of a kink. Solved by sequential
+// so that the worst of several lives has smooth constraints instead of a kink. Solved by sequential
 // quadratic programming [Kraft1988] [NLopt] with the derivatives of crown_life(). Where tilts are computed
 // there is one member, whose life is sought without derivatives by simplices in subspaces [Rowan1990].
 #pragma once
@@ -42,7 +42,7 @@ struct SearchOptions {
   int jobs = 0;                // threads; 0: all
 };
 
-/// Where one start ended.
+/// Result of one start.
 struct SearchEnd {
   Crown start;
   Crown crown;

@@ -117,7 +117,7 @@ void require_whole(const std::vector<SpectrumPoint>& spectrum) {
                                 "; 1 is required");
 }
 
-// Each search starts where `near`, the loads of nearly the same profile, has found its balance.
+// Each search starts from the equilibrium of `near`, the loads of nearly the same profile.
 QuasiStaticResult balanced_near(const QuasiStaticResult& near, const LaminaBearing& bearing,
                                 const bearing::OperatingPoint& point,
                                 const bearing::QuasiStaticOptions& options) {

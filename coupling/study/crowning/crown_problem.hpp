@@ -17,7 +17,7 @@ namespace orbearing::study::crowning {
 
 // Profiles of one kind with two free numbers: how deep, and over how much of the length.
 
-/// What is free about a profile.
+/// Free parameters of a profile.
 struct Crown {
   double drop = 0.0;   // [m]  of one roller at profile::kDropPosition
   double share = 1.0;  // [-]  of each half that is relieved; of kinds that have a straight middle only
@@ -61,14 +61,14 @@ using bearing::rating::LifeMethod;
 
 /// One operating point of a spectrum.
 struct Duty {
-  double speed = 0.0;             // [rad/s]  of the drivetrain's input
-  double share = 1.0;             // [-]      of the time
-  bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up alone: what a study states is added
-  double radial_clearance = 0.0;  // [m]  of the bearing at this speed
+  double speed = 0.0;               // [rad/s]  of the drivetrain's input
+  double share = 1.0;               // [-]      of the time
+  bearing::OperatingPoint point;    // of one bearing; tilted by the wind-up only; a study adds its tilts
+  double radial_clearance = 0.0;    // [m]  of the bearing at this speed
   double overturning_moment = 0.0;  // [N m]  on the whole planet, of helical teeth
 };
 
-/// What a study asks about; immutable, from any thread.
+/// Problem of a study; immutable, from any thread.
 struct CrownProblem {
   bearing::Bearing bearing;  // cut into laminae; its roller profile is what is studied
   bearing::QuasiStaticOptions options;
@@ -80,17 +80,16 @@ struct CrownProblem {
   std::optional<PlanetSeat> seat{};  // where the tilt is computed; none: it is stated
 };
 
-/// How a planet leans [rad]. Where tilts are stated: that of the bore on its pin, along the load and across.
-/// Where they are computed: by how much the unloaded pin is inclined beyond its seat's own, outward and
-/// ahead.
+/// Tilt of a planet [rad]. If tilts are stated: that of the bore on its pin, along the load and across. If
+/// they are computed: inclination of the unloaded pin beyond its seat's own, outward and ahead.
 using Lean = Eigen::Vector2d;
 
-/// Of one number, as grids and pictures have it: along the load where stated, ahead where computed.
+/// Tilt by one number, as in grids and pictures: along the load if stated, ahead if computed.
 Lean lean_by(const CrownProblem& problem, double angle);
 
-/// One operating point of a spectrum, as a drivetrain is asked for it.
+/// One operating point of a spectrum, as input of a drivetrain.
 struct SpectrumPoint {
-  double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which uses up time alone
+  double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which only takes time
   double share = 1.0;           // [-]      of the time
   std::optional<double> power;  // [W]      none: the drivetrain's own
 };
@@ -102,7 +101,7 @@ struct SpectrumPoint {
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMethod method, int laminae = 40);
 
-/// The same bearing at one of its duties alone.
+/// The same bearing at a single one of its duties.
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
 
 /// Loads of the bearings that a study takes at one duty: of a planet whose tilt is computed all, else one.
@@ -111,16 +110,16 @@ struct DutyLoads {
   double tilt = 0.0;        // [rad]  largest of a bore against its pin
   double load_share = 1.0;  // [-]    largest load of a bearing over their mean
 
-  /// [N]  (laminae, places): what does the damage that the bearings take on the mean, as in a sweep.
+  /// [N]  (laminae, positions): loads that do the mean damage of the bearings, as in a sweep.
   Eigen::ArrayXXd inner_lamina_load() const;
   Eigen::ArrayXXd outer_lamina_load() const;
 };
 
-/// Loads that do the mean damage of `loads` (bearings)(laminae, places): (mean of q^4)^(1/4).
+/// Loads that do the mean damage of `loads` (bearings)(laminae, positions): (mean of q^4)^(1/4).
 Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads);
 
-/// Under `profile`. Where the tilt is stated, searches start from `near`, if given: the loads of a profile
-/// that is nearly the same. Throws std::runtime_error where they do not balance.
+/// Under `profile`. If the tilt is stated, searches start from `near`, if given: the loads of a profile that
+/// is nearly the same. Throws std::runtime_error if there is no static equilibrium.
 DutyLoads loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean,
                    std::size_t duty, const DutyLoads* near = nullptr);
 
@@ -129,7 +128,7 @@ bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile, std::size_t duty);
 bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean);
 
-/// Lives [h] of one bearing at one duty alone, whose loads are known; kappa by speed and viscosity.
+/// Lives [h] of one bearing at a single duty with known loads; kappa by speed and viscosity.
 struct DutyHours {
   double lundberg_palmgren = 0.0;
   bearing::rating::RatedHours rated;
@@ -138,13 +137,13 @@ DutyHours lives_at(const CrownProblem& problem, const DutyLoads& loads, std::siz
 /// The governing one of them.
 double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
-/// By the standards, of loads [N] (laminae, places) that hold what ends and tilts do, without stress riser.
-/// The governing life; L10r where that is Lundberg and Palmgren's.
+/// By the standards, of loads [N] (laminae, positions) that include the effects of ends and tilts, without
+/// stress riser. The governing life; L10r where that is Lundberg and Palmgren's.
 double hours_without_riser(const CrownProblem& problem, const Eigen::ArrayXXd& inner,
                            const Eigen::ArrayXXd& outer, std::size_t duty);
 
-/// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
-/// the time is rest.
+/// The rule of Palmgren and Miner: life [h] of all, given that of each single duty. The remaining time is
+/// rest.
 double life_of_duties(const CrownProblem& problem, const std::function<double(std::size_t duty)>& hours);
 /// Life by life (duties); not a number where one is not.
 bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,

@@ -211,7 +211,7 @@ class Curves {
   int intervals() const { return static_cast<int>(values_.cols()) - 1; }
 
   double life(double drop) const { return life(drop, population_); }
-  // Of one with the same leans.
+  // Life of a population with the same leans.
   double life(double drop, const Population& population) const {
     return life_of(population, missed(population.drop_miss, drop));
   }
@@ -300,7 +300,7 @@ double relative(double one, double other) {
   return std::abs(one / other - 1.0);
 }
 
-// Of leans by lives without a miss of the drop, of the drop by the curves.
+// Error of the quadrature: over leans by lives without deviation of the drop, over the drop by the curves.
 double quadrature_error(const Lives& lives, const Curves& curves, const HalfSpaceAim& aim,
                         const PopulationNodes& nodes, double drop) {
   const auto of = [&](const Tolerance& tolerance, const PopulationNodes& taken) {

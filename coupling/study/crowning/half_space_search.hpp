@@ -12,12 +12,12 @@
 
 namespace orbearing::study::crowning {
 
-// What workshop and mounting miss, how likely that is, and how long planets live that are built so.
+// Deviations of manufacturing and mounting, their probability, and the life of planets with these deviations.
 //
 //   (1)  S(t) = sum w_i S_i(t),  S_i = 0.9^((t/L_i)^e)     parts w_i of a population, each with its L10 L_i
 //   (2)  S(L) = 0.9                                         the life that nine tenths of all of them reach
 
-/// How likely a miss within its tolerance is.
+/// Distribution of a deviation within its tolerance.
 enum class Distribution {
   worst,    // the ends of the tolerance, of which the one with the shortest life counts
   normal,   // about nominal, the tolerance three standard deviations, cut off there
@@ -56,15 +56,14 @@ struct Population {
   Eigen::ArrayXd drop_weight;  // [-]
 };
 
-/// Gauss nodes of each quantity. Those of leans cost a balance each, those of the drop nothing.
+/// Gauss nodes of each quantity. Those of leans cost an equilibrium each, those of the drop nothing.
 struct PopulationNodes {
   int lean = 3;  // for each direction
   int drop = 16;
 };
 
-/// Where tilts are stated, of each of `tilts` [rad] the ends of its tolerance, and the worst counts whatever
-/// the distribution; where they are computed, inclinations of the pin in both directions, each within the
-/// tolerance by itself.
+/// Stated tilts: the ends of the tolerance of each of `tilts` [rad], and the worst counts whatever the
+/// distribution. Computed tilts: inclinations of the pin in both directions, each within the tolerance.
 Population population_of(const CrownProblem& problem, const std::vector<double>& tilts,
                          const Tolerance& tolerance, Distribution distribution,
                          const PopulationNodes& nodes = {});
@@ -101,7 +100,7 @@ struct DropBand {
   bool open = false;  // `most` is the greatest drop studied: greater ones may do as well
 };
 
-/// What is left of the longest life at one drop.
+/// Life at one drop over the longest life.
 struct DropLife {
   double drop = 0.0;        // [m]
   double life_share = 0.0;  // [-]

@@ -1,5 +1,5 @@
-// Force of a mesh whose teeth touch as its deflection closes their gaps: by deflection and by the place in
-// the mesh period, both at once.
+// Force of a mesh whose teeth come into contact as its deflection closes their gaps, as a function of the
+// deflection and of the position in the mesh period.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace orbearing::gearset {
 
-/// What a mesh answers at one deflection and one place in its period. Eqs. (6) to (9) of
+/// Force, stiffness and energy of a mesh at one deflection and one position in its period. Eqs. (6) to (9) of
 /// gearset/mesh/loaded/README.md.
 struct ToothForce {
   double force = 0.0;            // [N]    slope of the energy by the approach
@@ -39,8 +39,8 @@ class LoadedTeeth {
   /// @param stiffness [N/m] of one pair over the whole face, bodies that all pairs share left out; over the
   ///        share of the way from `begin` to `end`
   /// @param gap [m] of one pair, over the same
-  /// @param begin, end [mesh period] progress between which a pair is looked at
-  /// @param shared [m/N] by which all pairs give way to the sum of their forces
+  /// @param begin, end [mesh period] progress between which a pair is included
+  /// @param shared [m/N] compliance of the bodies to the sum of the forces of all pairs
   /// @throws std::invalid_argument where there would be more than `most_contacts`
   LoadedTeeth(PeriodicCurve stiffness, PeriodicCurve gap, double begin, double end, double shared,
               std::vector<FaceSlice> slices)
@@ -58,7 +58,7 @@ class LoadedTeeth {
                                   std::to_string(most_contacts) + " in all");
   }
 
-  /// @param place in the mesh period, any real number
+  /// @param position in the mesh period, any real number
   /// @param approach [m] of both gears along the line of action
   ToothForce at(double position, double approach) const {
     if (approach <= 0.0) return {};

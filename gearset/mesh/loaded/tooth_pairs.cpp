@@ -236,7 +236,7 @@ double tip_tangent(const MeshGear& gear) {
       gear.tooth);
 }
 
-// Where the curves have corners, as shares of the window, ascending from 0 on.
+// Corners of the curves, as shares of the window, ascending from 0 on.
 std::vector<double> corners(const MeshingGears& gears, const MeshModifications& by, const Window& window) {
   std::vector<double> positions{window.begin};
   const auto add_position = [&](double position) {
@@ -287,7 +287,7 @@ double sound_deflection(const MeshingGears& gears, const MeshModifications& by, 
   return least;
 }
 
-// Of a planet and its mate.
+// Modifications of a planet and its mate.
 MeshModifications with_planet(const FlankModifications& set, double module, double relief, double crown,
                               double slope) {
   const double length = set.relief_length * module;
@@ -329,7 +329,7 @@ ToothPairs tooth_pairs(const MeshingGears& gears, const MeshModifications& by, i
   const std::vector<double> jumps = corners(gears, by, window);
   const double width = window.end - window.begin;
   const int samples = static_cast<int>(std::ceil(kSamplesPerPeriod * width));
-  // Both curves are continuous at their corners, beside which the table takes its samples.
+  // Both curves are continuous at their corners, next to which the table takes its samples.
   const auto at_corner = [&](double share) {
     constexpr double beside = 2e-9;  // [window]
     for (const double corner : jumps)

@@ -8,8 +8,8 @@
 
 namespace orbearing::gearset {
 
-// How far the flanks of a pair of teeth are apart before and after its path of contact, and where they
-// touch as deflection closes that gap.
+// Gap of the flanks of a pair of teeth before and after its path of contact, and their point of contact as
+// deflection closes that gap.
 
 /// Which end of the path of contact.
 enum class PathEnd { begin, end };
@@ -23,7 +23,7 @@ struct EdgeAtEnd {
 
 EdgeAtEnd edge_at(const MeshingGears& gears, PathEnd end);
 
-/// A pair of teeth at one place.
+/// A pair of teeth at one position.
 struct FlankGap {
   double gap = 0.0;     // [m]  along the line of action
   double first = 0.0;   // [m]  tangent lengths of the points that touch
@@ -32,12 +32,12 @@ struct FlankGap {
       true;  // false: an edge on the other gear's trochoid, whose normal is not the line of action
 };
 
-/// @param place [m] on the line of action, where the flanks would touch if they went on: in the path of
+/// @param position [m] on the line of action, where the flanks would touch if they went on: in the path of
 /// contact without a gap. Eqs. (1) to (3) of gearset/mesh/loaded/README.md.
 FlankGap flank_gap(const MeshingGears& gears, double position);
 
-/// Where the tip takes over from the foot of an undercut flank beyond an end of the path; the end itself
-/// where the tip ends the path. The gap has a corner there. [m]
+/// Position at which, beyond an end of the path, contact changes from the foot of an undercut flank to the
+/// tip; the end itself if the tip ends the path. The gap has a corner there. [m]
 double tip_takes_over(const MeshingGears& gears, PathEnd end);
 
 /// Tip relief of one gear.
@@ -47,7 +47,7 @@ struct TipRelief {
   ReliefForm form = ReliefForm::linear;
 };
 
-/// What flanks of one mesh depart from involutes by.
+/// Deviations of the flanks of one mesh from involutes.
 struct MeshModifications {
   TipRelief first;
   TipRelief second;
@@ -75,7 +75,7 @@ struct ToothPairs {
 
 inline constexpr int face_slices = 32;  // of a face whose parts touch at unlike times
 
-/// @throws std::domain_error where the bodies turn by more than the teeth with their foundations give way
+/// @throws std::domain_error where the bodies turn by more than the teeth with their foundations deflect
 ToothPairs tooth_pairs(const MeshingGears& gears, const MeshModifications& modifications = {},
                        int slices = face_slices);
 

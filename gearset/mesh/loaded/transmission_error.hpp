@@ -21,10 +21,11 @@ struct TransmissionError {
 inline constexpr int transmission_samples = 720;  // a period
 inline constexpr int transmission_orders = 8;
 
-/// Of teeth under load; without a force their unloaded error, which relief alone makes.
+/// Transmission error of teeth under load; without a force their unloaded error, which is caused by relief
+/// only.
 TransmissionError transmission_error(const LoadedTeeth& teeth, double force);
 
-/// Of a stiffness that varies by itself: force / stiffness.
+/// Transmission error of a prescribed stiffness: force / stiffness.
 TransmissionError transmission_error(const PeriodicCurve& stiffness, double force);
 
 /// The teeth about a constant force, as a spring: its stiffness over the period, and the approach at which it
