@@ -26,7 +26,7 @@ void check_ball_circle(CheckedCase& in);
 double planet_length(const ResolvedCase& in);
 /// Two ways to state the same thing exclude each other.
 void check_either(CheckedCase& in, const char* one, const char* other);
-/// Whether level and manner of lubrication fit, in cases of any model that know them.
+/// Whether level and manner of lubrication fit, in cases of any model that has them.
 void check_cleanliness(CheckedCase& in);
 
 /// Appends a mistake for each value of an axis that contradicts the case. Each is looked at once, the other

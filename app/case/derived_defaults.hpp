@@ -5,7 +5,7 @@
 
 namespace orbearing::app {
 
-/// What a value of this field follows from where it is left out; empty for a field without such a rule.
+/// Rule from which the default of this field follows; empty for a field without such a rule.
 std::string_view default_rule(std::string_view path);
 /// Whether that rule gives a value in each case that has the input.
 bool follows_always(std::string_view path);

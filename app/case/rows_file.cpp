@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of all columns, or those that a row cannot be without.
+// Keys of all columns, or of the columns that each row requires.
 std::vector<std::string> column_keys(const Field& field, bool required) {
   std::vector<std::string> keys;
   for (const ListColumn& column : field.columns)

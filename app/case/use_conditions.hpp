@@ -18,7 +18,7 @@ bool bearings_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether the pin of a planet links the bearings on it, if tilts are computed: two on a pin that both walls
 /// hold bend it alike.
 bool pin_links_rows(const ResolvedCase& in, std::string_view set);
-/// Whether the linear formulas of a duplex pair have a column: a shaft at rest, rows that do not part.
+/// Whether the linear formulas of a duplex pair have a column: a stationary shaft, rows that do not separate.
 bool pair_has_linear_column(const ResolvedCase& in, std::string_view set);
 /// The same, or measured pairs from which they are identified.
 bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set);
@@ -27,8 +27,8 @@ bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set);
 bool carrier_rotates(const ResolvedCase& in, std::string_view set);
 /// The same, and the masses that it takes round are pulled outward.
 bool carrier_pulls(const ResolvedCase& in, std::string_view set);
-/// Whether a bearing at rest is affected by what its planet is made of: by its mass, or since it bends, tilts
-/// or is pressed on a seat.
+/// Whether the planet's own properties affect a bearing at rest: by its mass, or since it bends, tilts or is
+/// pressed on a seat.
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set);
 /// Whether the carrier of a single set is a body in three dimensions: its bearings are stated, the housing
 /// holds the ring, and rims do not link the springs of a planet.
