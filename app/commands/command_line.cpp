@@ -476,7 +476,7 @@ void require_utf8(int argc, char** argv) {
   }
 }
 
-// Line by line: whatever of the user's stands in a message cannot move the cursor.
+// Line by line, so that text from the user in a message cannot move the cursor.
 void print_error(std::string_view text) {
   for (bool more = true; more;) {
     const std::size_t end = text.find('\n');
@@ -492,8 +492,9 @@ bool is_whole(std::string_view text, bool natural) {
   return !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// What is wrong with a value of an option. An empty text, as of a shell's variable that is not set, would
-// choose a default; nan is in every range, and a seed of -1 becomes another one.
+// Requirement for a value of an option that does not meet it; empty for a sound one. An empty text, as of a
+// shell's variable that is not set, would select a default; nan is in every range, and a seed of -1 becomes
+// another one.
 std::string required_of(const CLI::Option& option, const std::string& given) {
   const std::string type = option.get_type_name(), text = trimmed(given);
   const bool natural = type.starts_with("UINT"), whole = natural || type.starts_with("INT");
@@ -529,7 +530,7 @@ std::string proposals(const CLI::App& program) {
   return lines;
 }
 
-// The program of all commands, which writes what it reads into `asked`.
+// The program of all commands, which stores the command line in `asked`.
 class Reader {
  public:
   explicit Reader(Asked& asked) {
@@ -572,7 +573,7 @@ int parse_and_run(int argc, char** argv) {
   return asked.command(asked.options);
 }
 
-// What was printed is on its way only now: a full disk shows here and not when it was printed.
+// Flushes the output: a full disk is reported here and not by the print functions.
 void require_printed() {
   // First of all, since the stream of the standard library flushes it too and tells no reason.
   errno = 0;

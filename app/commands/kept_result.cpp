@@ -56,7 +56,7 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const AnalysisRe
   return object;
 }
 
-// Of the run of a bearing under a static load, not of others of its analyses.
+// Effects of assumptions: for a bearing under a static load, not for its other analyses.
 std::vector<AssumedEffect> effects_of(const ResolvedCase& resolved, const ResultNames& names) {
   return names.name == std::string_view("static") ? assumed_effects(resolved) : std::vector<AssumedEffect>{};
 }

@@ -1,4 +1,4 @@
-// What commands have in common around their work: where the case comes from and where the result goes.
+// Steps that commands share before and after their computation: reading the case and writing the result.
 #pragma once
 
 #include <functional>
@@ -41,11 +41,11 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
 /// Folder, threads and reports of a sweep as the options have them, and rows to the caller who takes points.
 void put_options(const Options& options, SweepRequest& request);
 
-/// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made
-/// of.
+/// Object that --json prints for a sweep or for one of its points, finished or not. `form` receives the
+/// record of its columns.
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
 
-/// What a command found before its sweep.
+/// Findings of a command before its sweep.
 struct FoundBefore {
   const Record* record = nullptr;
   std::vector<std::string> warnings{};
