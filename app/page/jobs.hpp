@@ -78,7 +78,7 @@ class Job {
 /// A new one. Throws ComputationFailed.
 std::filesystem::path temporary_folder();
 
-/// All of a page. Results of sweeps stand in folders below a temporary one.
+/// All jobs of a page. Results of sweeps are in folders below a temporary one.
 class Jobs {
  public:
   explicit Jobs(Workers& workers) : workers_(workers) {}

@@ -394,7 +394,7 @@ class PageServer {
     });
   }
 
-  // What the program has opened, as its file is now.
+  // The opened file, with its present text.
   Opened opened_now() {
     const std::scoped_lock lock(reading_file_);
     return opened_ = read_again(opened_);
@@ -442,7 +442,7 @@ class PageServer {
     return lives_;
   }
 
-  // Of models that have some: a signal or a film would take its time for none.
+  // Table of lives of models that have some: a signal or a film would be computed in vain.
   std::string computed_lives(const Opened& opened) try {
     if (opened.text.empty()) return {};
     const std::string model = Case::parse(opened.text).text("model");
@@ -484,7 +484,7 @@ class PageServer {
     }
   }
 
-  // That whose sweep is gone on with; empty: none.
+  // Folder whose sweep is continued; empty: none.
   fs::path folder_of_results(const Json& body) const {
     if (!body.contains("results")) return {};
     const Json& name = body["results"];
@@ -550,8 +550,8 @@ class PageServer {
     return true;
   }
 
-  // Of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it is
-  // text: the page shows it in a frame that runs no script.
+  // Report of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it
+  // is text: the page shows it in a frame that runs no script.
   void answer_report(const Asked& asked, const Json& body, Response& response) {
     const bool pdf = asked.get_param_value("form") == "pdf";
     const char* kind = pdf ? "application/pdf" : "text/plain; charset=utf-8";
