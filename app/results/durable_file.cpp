@@ -194,7 +194,7 @@ void AppendOnlyFile::truncate(std::size_t length) {
 }
 
 void AppendOnlyFile::blank(std::size_t begin, std::size_t length) {
-  // A descriptor that appends writes at the end, wherever it is told to.
+  // A descriptor that appends writes at the end, whatever position is set.
   const Descriptor opened(::open(file_.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
   if (opened.number < 0 || ::lseek(opened.number, static_cast<off_t>(begin), SEEK_SET) < 0)
     fail_to_write(file_, errno);

@@ -25,11 +25,10 @@ struct WriteFailed : ComputationFailed {
   std::string cause, remedy;
 };
 
-/// What mends a failure of the system with this `errno`: "make room" of a full disk.
+/// Remedy for a system failure with this `errno`: "make room" for a full disk.
 std::string remedy_of(int error);
 
-/// Throws BadInput where `path` is a symbolic link: what stands in a folder of results is no link to
-/// elsewhere.
+/// Throws BadInput where `path` is a symbolic link: files in a folder of results are never links.
 void require_no_link(const std::filesystem::path& path);
 
 struct FileContent {
@@ -67,8 +66,8 @@ struct Descriptor {
   int release() { return std::exchange(number, -1); }
 };
 
-/// Keeps others that ask for the same folder out for as long as it lives, and leaves no file behind. Throws
-/// BadInput where another holds it.
+/// Locks the folder as long as the object exists, and leaves no file behind. Throws BadInput where another
+/// process holds the lock.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

@@ -30,7 +30,7 @@ enum class Direction { up, down };
 Direction parse_direction(const std::string& text);  // "up" or "down"
 std::string to_string(Direction direction);
 
-/// What results must share to be continued or merged.
+/// Properties that results must share to be continued or merged.
 struct ManifestHeader {
   std::string case_name;
   std::string case_hash;  // of the resolved case
@@ -103,7 +103,7 @@ Manifest parse_manifest(std::string_view text, const std::string& location);
 std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header,
                                            const std::map<std::size_t, ManifestEntry>& entries);
 
-/// What differs between two headers, one line each, in the words of a message; the shard apart.
+/// Differences between two headers, one line each, in the words of a message; the shard apart.
 std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required);
 
 }  // namespace orbearing::app

@@ -18,11 +18,11 @@ namespace orbearing::app {
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds,
                           double share = -1.0);
 
-/// A caller in the same process who sees the progress in place of standard error; from any thread, one call
-/// at a time.
+/// Function of a caller in the same process that receives the progress instead of standard error; from any
+/// thread, one call at a time.
 using ProgressObserver = std::function<void(std::size_t done, std::size_t all, const std::string& doing)>;
 
-/// While it lives, what this thread begins is reported to the observer, if there is one.
+/// While it exists, progress that this thread begins is reported to the observer, if there is one.
 class ObservedProgress {
  public:
   explicit ObservedProgress(ProgressObserver observer);
@@ -90,11 +90,11 @@ class Progress {
   std::optional<system::ObservedMotions> motions_;
 };
 
-// SIGINT and SIGTERM ask computations to stop.
+// SIGINT and SIGTERM request the end of computations.
 
-/// While any lives the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one
-/// ends the program at once. The first of several begins without a wish, the last takes it back and gives the
-/// signals back. Made by whoever calls: the libraries and the commands do not touch signals.
+/// While any exists, the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one
+/// ends the program at once. The first object begins without a request, the last one clears the request and
+/// restores the handlers. Made by the caller: the libraries and the commands do not handle signals.
 class Interruption {
  public:
   Interruption();

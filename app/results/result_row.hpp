@@ -14,8 +14,8 @@
 
 namespace orbearing::app {
 
-// What the status of a point says: "ok"; "implausible: ..." of one whose values are there and cannot be those
-// of a machine; else why it failed.
+// Status of a point: "ok"; "implausible: ..." for values that no machine can have; else the cause of the
+// failure.
 
 inline constexpr std::string_view kImplausible = "implausible: ";
 
@@ -35,23 +35,23 @@ inline constexpr std::string_view limiting_set_column = "limiting_set";
 /// The column that says which points were added to the grid around the peak: true or false.
 inline constexpr std::string_view refined_column = "refined";
 
-/// A swept case key other than input.speed: its values stand in the rows in the unit of the case file.
+/// A swept case key other than input.speed: its values in the rows have the unit of the case file.
 struct SweptAxis {
   std::string column;  // with its unit: bearing.radial_clearance_um
   std::string units;   // as udunits reads it, "1" for a number
   std::string meaning;
 };
 
-/// What a row's numbers are called, in order; `status` stands at `status_place` among them.
+/// Names of a row's values, in order; `status` is at `status_location` among them.
 struct TableHead {
   std::vector<std::string> names;  // all columns, status included
   std::size_t status_location = 0;
-  std::size_t first_axis = 0;                     // swept axes stand from here
+  std::size_t first_axis = 0;                     // index of the first swept axis
   std::size_t axes = 0;                           // as many
   std::optional<std::size_t> set_place;           // of the limiting set's name; none with one set
   std::optional<std::size_t> refined_location{};  // of the column that says which points were added
-  std::optional<std::size_t> first_resonance{};   // columns of the nearest resonance stand from here, if any
-  std::string life{"life_h"};                     // column of the life that results go by, by life.method
+  std::optional<std::size_t> first_resonance{};   // first column of the nearest resonance, if any
+  std::string life{"life_h"};                     // column of the governing life, by life.method
   bool operator==(const TableHead&) const = default;
 };
 
@@ -60,7 +60,8 @@ struct TableHead {
 TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets = {},
                      bool resonances = false);
 
-/// Where a harmonic of the mesh frequency meets a natural frequency of the gear set that it can excite.
+/// Speed at which a harmonic of the mesh frequency meets a natural frequency of the gear set that it can
+/// excite.
 struct Resonance {
   std::string kind;        // rotational, translational or planet
   std::string mode;        // "T2": the second of the translational ones, as the report names it

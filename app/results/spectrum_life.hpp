@@ -4,7 +4,7 @@
 //   in the damage
 //
 // for each of the lives of one bearing, of one set and of the whole drivetrain. For lives in revolutions s_i
-// is the share of the revolutions. Beside damage stands the time in skid risk: that of bins whose equivalent
+// is the share of the revolutions. Results include the time in skid risk too: that of bins whose equivalent
 // load P is below the minimum load, P/C < LoadSpectrum::minimum_load, where rolling elements may skid and
 // smear.
 #pragma once

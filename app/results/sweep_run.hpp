@@ -38,8 +38,8 @@ std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<Sweep
 /// Points that a sweep adds to its first ones until its peak, or a table, is known.
 struct Refinement {
   /// The points to be added when those of `rows` are done (the grid's in their order, without the spectrum's,
-  /// then those added before, in the order in which they were asked for); none: the peak is known. Depends on
-  /// nothing but the rows, so that a resumed sweep asks for the same points.
+  /// then those added before, in the order in which they were requested); none: the peak is known. Depends
+  /// only on the rows, so that a resumed sweep requests the same points.
   std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
@@ -55,7 +55,7 @@ struct SweepRequest {
   /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
   /// its own start where `start` is empty. Called from one thread.
   std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
-  /// Nearest resonance of a point; asked of every point where header.resonances, on one thread.
+  /// Nearest resonance of a point; called for every point where header.resonances, on one thread.
   std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
   /// Receives each row as its point ends, first those that the folder holds; one call at a time.
@@ -122,7 +122,7 @@ void describe(described::Record& record, const LifePeak& peak);
 /// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
-/// The peak and one point that stands for all: rows hold numbers alone.
+/// The peak and one point as a form for all: rows hold numbers alone.
 described::Record sweep_form(const LifePeak& peak);
 
 /// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`

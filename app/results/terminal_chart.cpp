@@ -291,7 +291,8 @@ struct ShownRows {
   std::string note;
 };
 
-/// All of a few; else the grid's every so many-th and, of the points added to it, the one that lives longest.
+/// All rows of a few; else every n-th of the grid and, of the points added to it, the one with the longest
+/// life.
 ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) {
   ShownRows shown;
   const ResultRow* longest = longest_lived(head, rows);

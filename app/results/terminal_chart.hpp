@@ -25,7 +25,7 @@ class Canvas {
   /// Places outside are left out.
   void dot(int x, int y);
   void line(int x0, int y0, int x1, int y1);
-  /// A character in place of the dots around (x, y); drawn over everything.
+  /// A character instead of the dots around (x, y); drawn over everything.
   void mark(int x, int y, const std::string& character);
 
   /// Lines from the top down.

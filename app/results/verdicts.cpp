@@ -17,7 +17,7 @@ namespace {
 // The result of that name of the worst bearing.
 using ValueOfWorst = std::function<WorstBearing(const std::string& key)>;
 
-/// Where a requirement is judged: an operating point, a bin or a whole spectrum.
+/// Load condition at which a requirement is judged: an operating point, a bin or a whole spectrum.
 struct Sample {
   ValueOfWorst of_worst;
   std::string at;
@@ -90,7 +90,7 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
   return verdict;
 }
 
-// What requirements are judged by: lives, the sharing of load, all else.
+// Samples by which requirements are judged: for lives, for the load sharing, for all else.
 struct Samples {
   std::vector<Sample> of_lives, of_sharing, of_others;
 };

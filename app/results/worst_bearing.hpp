@@ -19,7 +19,7 @@ struct WorstBearing {
   std::string column() const;
 };
 
-/// What the columns of one of several sets begin with; nothing for a set that is alone.
+/// Prefix of the columns of one of several sets; empty for a single set.
 std::string column_prefix(const std::string& set);
 
 /// A life of one bearing in hours: L10h, L10rh, L10mh, L10mrh or life_h.
