@@ -101,7 +101,7 @@ namespace {
 using described::Record;
 namespace dimension = described::dimension;
 
-// Of the cage against pure rolling at the same turns of the shaft.
+// Slip of the cage relative to pure rolling at the same speed of the shaft.
 double cage_slip(const DefectStudy& study) {
   return 1.0 - study.turned.cage / (study.passing.cage * (study.turned.shaft / study.passing.shaft));
 }

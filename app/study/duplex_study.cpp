@@ -68,7 +68,7 @@ std::array<double, 5> frequencies_of(const duplex::PairModes& modes) {
   return found;
 }
 
-// Of the pairs identified from, or of all others.
+// Errors for the pairs used for identification, or for all others.
 FrequencyErrors errors_of(const std::vector<PredictedPair>& pairs, bool identified_from,
                           std::array<double, 5> PredictedPair::*model) {
   FrequencyErrors errors;

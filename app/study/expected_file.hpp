@@ -10,7 +10,7 @@
 
 namespace orbearing::app {
 
-/// What a number that ours is compared with rests on.
+/// Evidence for a number that is compared with ours.
 enum class EvidenceKind {
   measurement,     // somebody measured it
   program,         // computed by another program or by the source's own model
@@ -36,7 +36,7 @@ struct PublishedValue {
   std::string source;  // with its key in REFERENCES.md
   EvidenceKind kind = EvidenceKind::recomputed;
   std::string of;        // class of the quantity: "natural frequency"; "trend" where only a direction is claimed
-  std::string quantity;  // a name that the validation table knows how to compute, or COMMAND:/json/pointer
+  std::string quantity;  // a name that the validation table can compute, or COMMAND:/json/pointer
   std::string meaning;
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
@@ -78,8 +78,8 @@ struct ExpectedFile {
 /// here.
 ExpectedFile read_expected(const std::string& file);
 
-/// The case files that `names` (files or folders) stand for; where `names` is empty, all that ship with published
-/// numbers, in `cases` and in `cases/validation`.
+/// The case files that `names` (files or folders) refer to; where `names` is empty, all shipped cases with
+/// published numbers, in `cases` and in `cases/validation`.
 std::vector<std::string> case_files(const std::vector<std::string>& names);
 
 /// expected.yaml of the shipped case called `name`; the file need not exist.

@@ -79,7 +79,7 @@ void describe_balance(Record& row, const bearing::Bearing& bearing, const balanc
   }
 }
 
-// Where a parabola through the largest value and its neighbours is highest; none at an end.
+// Speed at the vertex of a parabola through the largest value and its neighbours; none at an end.
 std::optional<double> highest_at(const SpeedTable& table, const std::string& name) {
   const auto value = [&](std::size_t row) { return number_in(table.rows[row], name); };
   const auto speed = [&](std::size_t row) { return number_in(table.rows[row], "speed_rpm"); };

@@ -12,7 +12,7 @@
 
 namespace orbearing::app {
 
-/// Of one ball on one race.
+/// Film of one ball on one race.
 struct BallFilm {
   Eigen::Index ball = 0;
   bearing::Race race = bearing::Race::inner;
@@ -21,11 +21,11 @@ struct BallFilm {
 
 void describe(described::Record& row, const BallFilm& film);
 
-/// Of all loaded balls of a state whose rings turn, inner race first; empty for one at rest.
+/// Films of all loaded balls of a state whose rings rotate, inner race first; empty for a stationary bearing.
 std::vector<BallFilm> ball_films(const bearing::Bearing& bearing, const bearing::Lubricant& oil,
                                  const bearing::equilibrium::RingState& state);
 
-/// What of them lies outside of the ranges of the regressions, one line for each race and quantity.
+/// Warnings on films outside of the ranges of the regressions, one line for each race and quantity.
 std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const std::vector<BallFilm>& films);
 
 /// The ball with the largest load on the inner race, over the speed of the inner ring.

@@ -29,9 +29,9 @@ struct FmuLibrary {
   std::string content;
 };
 
-/// The library for the platform at hand and, where `windows`, that for Windows. One that is missing is built
-/// where a program build_<platform> stands beside the others, with its progress on standard error unless
-/// `quiet`. Throws ComputationFailed where there is none.
+/// The library for this platform and, with `windows`, the one for Windows. A missing one is built where a
+/// program build_<platform> is in the same folder, with its progress on standard error unless `quiet`. Throws
+/// ComputationFailed where there is none.
 std::vector<FmuLibrary> fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool windows,
                                       bool quiet);
 

@@ -168,7 +168,7 @@ Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& 
   return list;
 }
 
-// The real part of a shape whose largest component is made real: how the members stand at one instant.
+// The real part of a shape whose largest component is made real: the positions of the members at one instant.
 std::vector<double> snapshot_of(const Mode& mode) {
   const ModeShape shape = shape_of(mode);
   const Eigen::VectorXd flat = shape.position.reshaped<Eigen::RowMajor>();

@@ -81,7 +81,7 @@ double exponent_of_life(const std::string& life);
 BinCounts parse_bins(const std::string& text);
 
 /// A spectrum of bins, record by record, by rising torque, then speed; those without time are left out, time
-/// at rest comes last.
+/// without rotation comes last.
 struct BinnedSeries {
   LoadSpectrum spectrum;
   double duration = 0.0;        // [s]  of all records

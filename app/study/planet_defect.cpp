@@ -101,7 +101,7 @@ void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
   add("roller_pass_Hz", "a point of a roller over either race", at.bearing.element_pass);
 }
 
-// What one instrument shows.
+// Signal of one instrument.
 struct Instrument {
   const char* key;
   const char* name;  // of its series

@@ -28,8 +28,8 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
 /// Speeds [rpm] of the sweep; the case's own where none are swept.
 std::vector<double> speeds_rpm(const ResolvedCase& resolved);
 
-/// Resonances of the line of speeds on which the point lies that settings make, of each line found when first
-/// asked for. One thread at a time.
+/// Resonances of the line of speeds that contains the point by these settings; those of each line are
+/// computed at their first use. One thread at a time.
 using ResonancesOfLine = std::function<const std::vector<Resonance>&(const std::vector<Setting>&)>;
 ResonancesOfLine resonances_by_line(const ResolvedCase& resolved);
 

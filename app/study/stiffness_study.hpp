@@ -37,11 +37,11 @@ struct StiffnessStudy {
 
 void describe(described::Record& record, const StiffnessStudy& study);
 
-/// Of a single bearing: the inner ring against the outer one, x along the radial load, at each of
-/// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. Of a
+/// Stiffness of a single bearing: the inner ring against the outer one, x along the radial load, at each of
+/// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. For a
 /// drivetrain: the bore of one planet bearing against its pin, x outward from the sun, y along the carrier's
 /// rotation, at the points of its sweep; rollers and cage at their kinematic speeds, mean over the cage
-/// angles. Of a duplex pair: the shaft about its mass centre, at each of `operation.speeds`. Throws BadInput
+/// angles. For a duplex pair: the shaft about its mass centre, at each of `operation.speeds`. Throws BadInput
 /// for a case without a bearing.
 StiffnessStudy stiffness_study(const ResolvedCase& resolved);
 
