@@ -29,7 +29,7 @@ std::string tests_in(const std::string& folder_or_file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Issue 44, item 15: tests raise SIGINT; a parent that ignores it, as nohup does, passes that on.
+  // Tests raise SIGINT; a parent that ignores it, as nohup does, passes that on.
   std::signal(SIGINT, SIG_DFL);
   testing::InitGoogleMock(&argc, argv);
   const std::string filter = GTEST_FLAG_GET(filter);

@@ -10,7 +10,7 @@
 
 namespace orbearing::messages {
 
-/// What `call` throws as an `Error` says.
+/// Message of the `Error` that `call` throws.
 template <class Error, class Call>
 std::string refusal(Call&& call) {
   try {

@@ -1,4 +1,4 @@
-// What is inside an FMU without any interface: reads the numbers of the model and, from standard input, one
+// The model inside an FMU without any interface: reads the numbers of the model and, from standard input, one
 // line of inputs for each step (step size first; a bearing's may end with the slopes of both velocities);
 // prints the outputs after each. For comparison with FMPy.
 //

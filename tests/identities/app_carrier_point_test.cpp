@@ -51,9 +51,9 @@ TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
   }
 }
 
-// Where nothing sags, bearings on a pin that bends share its load as in the plane, whose rollers are no
-// linear springs: the shortest life within a fifth, the largest load within 6 %. Each on its own spring they
-// would carry alike.
+// Without weight, bearings on a bending pin share its load as in the plane, whose rollers are nonlinear
+// springs: the shortest life within a fifth, the largest load within 6 %. With a separate spring for each
+// they would carry equal loads.
 TEST(CarrierPoint, BearingsOnAPinThatBendsShareAsInThePlane) {
   for (const int bearings : {3, 4}) {
     const ResolvedCase in = case_of(

@@ -1,5 +1,5 @@
-// Issue 16, Build 8: a full complement of rollers and a planet without rings run in every rung, as the
-// participant that an FMU holds, and go on from where they stood.
+// A full complement of rollers and a planet without rings run at every fidelity, as the participant in an
+// FMU, and continue from a saved state.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Rungs, EveryRung,
                                          Rung{"monolithic", Fidelity::monolithic}),
                          [](const testing::TestParamInfo<Rung>& rung) { return rung.param.name; });
 
-// What an FMU holds: outputs name no cage, and a state that was saved goes on to the same bits.
+// Participant in an FMU: outputs name no cage, and a saved state continues to the same bits.
 TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
   const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
   system::DrivenBearing bearing(study::driven_bearing_setup(set.drivetrain, set.geometry));
@@ -129,7 +129,7 @@ TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
       << "a third of a turn after the start";
 }
 
-// Issue 49, Build 4: it moves with its gears, of which such a state has nothing.
+// Such a state has no gears, but the bearing moves with them.
 TEST(FullComplementStart, IsRefused) {
   const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
   EXPECT_REFUSED(std::invalid_argument, "full_complement 1",

@@ -1,6 +1,5 @@
-// Issue 14, Build 7 and "Done when": a planet bearing with scratches in the coupled gear set. Which lines
-// follow is derived on paper in docs/defects/planet.md; here they are looked for in the run of the shipped
-// case.
+// A planet bearing with scratches in the coupled gear set. The lines are derived on paper in
+// docs/defects/planet.md; here they are found in the run of the shipped case.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +41,7 @@ double level(const Spectrum& spectrum, double frequency) {
   return spectrum.amplitude.segment(line - 1, 3).maxCoeff();
 }
 
-// What half of the lines up to `highest` [Hz] stay below.
+// Level below which half of the lines up to `highest` [Hz] are.
 double floor_of(const Spectrum& spectrum, double highest) {
   std::vector<double> lines(
       spectrum.amplitude.begin() + 4,
@@ -135,8 +134,8 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
   const auto of = [&](int turns) { return level(lines, turns * study.rolling.carrier); };
   for (const int gone : {79, 78, 158, 157, 159}) EXPECT_LT(of(gone), 0.05 * of(80)) << gone;
   for (const int gone : {237, 238}) EXPECT_LT(of(gone), 0.05 * of(236)) << gone;
-  // What no line on paper explains is how the signal is taken, every 1/(8 x 51.2 kHz): jumps of the mesh
-  // forces have harmonics far above, of which those that planets leave over (the order a multiple of their
+  // Lines that no line on paper explains are caused by sampling at 1/(8 x 51.2 kHz): jumps of the mesh forces
+  // have harmonics far above, of which those that the planets do not cancel (the order a multiple of their
   // number) fold back.
   const double instants = 8.0 * 51200.0, fc = study.rolling.carrier, fm = study.rolling.mesh;
   for (const double folded :

@@ -1,4 +1,4 @@
-// Issue 16, Build 5: life by film and cleanliness in runs and sweeps of a drivetrain.
+// Life by film and cleanliness in runs and sweeps of a drivetrain.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

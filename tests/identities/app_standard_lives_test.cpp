@@ -1,5 +1,5 @@
-// Issue 44, Build 1 and items 1 and 2: lives by the standards of planet bearings, beside the numbers by hand
-// and beside the same bearing as a single one.
+// Lives by the standards of planet bearings, compared with numbers by hand and with the same bearing as a
+// single one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@ using oracle::Vector;
 
 constexpr double kTwoPi = 6.283185307179586476925286766559;
 
-// What the program's state says of the bodies, and what their rates say of the rate of the state.
+// State of the bodies from the program's state, and the rate of the state from the rates of the bodies.
 class Seen {
  public:
   Seen(const BallBearing& model, double time)
@@ -317,7 +317,7 @@ struct Case {
   explicit Case(unsigned number, const RandomStates::Kind& kind = {}) : random(number) {
     const Bearing bearing = random.bearing();
     MotionParameters parameters = random.parameters(bearing, kind);
-    parameters.race.squeeze = number % 3 == 1;  // Issue 17, Build 1: oil that is pressed out
+    parameters.race.squeeze = number % 3 == 1;  // squeeze film
     const auto sets = mechanics::instruction_sets();
     model = std::make_unique<BallBearing>(ball_numbers(bearing, parameters), random.duty(bearing, kind),
                                           sets[number % sets.size()]);
@@ -449,7 +449,7 @@ TEST(BallsInertialFrame, SeesTheSamePowers) {
   }
 }
 
-// What drives and loads put in goes into motion, springs and losses: by the reference, and by the program.
+// Work of drives and loads goes into motion, springs and losses: by the reference, and by the program.
 TEST(BallsInertialFrame, KeepsEnergy) {
   for (unsigned number = 0; number < kCases; ++number) {
     SCOPED_TRACE(number);

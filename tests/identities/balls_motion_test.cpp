@@ -1,5 +1,5 @@
-// Issue 14, Build 2 and 3: what must hold for every ball bearing in motion: power balance, slopes, equal
-// results of all instruction sets, order of the steps, the static bearing as the limit of slow turning.
+// Properties of every ball bearing in motion: power balance, slopes, equal results of all instruction sets,
+// order of the steps, the static bearing as the limit of slow rotation.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -89,8 +89,8 @@ void straighten(const StateLayout& layout, std::vector<double>& x) {
       x[static_cast<std::size_t>(ring + i)] = x[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
 }
 
-// Issue 14, Build 7: forces on a scratch are those of its energy, and a ring that carries one along pays for
-// it with torque.
+// Forces on a scratch are those of its energy, and a ring that moves a scratch along supplies its work by
+// torque.
 TEST(BallMotion, PowerBalancesOnScratches) {
   RandomBalls random(11);
   double felt = 0.0;
@@ -144,8 +144,8 @@ void scratch_balls(RandomBalls& random, Started& s) {
   }
 }
 
-// Issue 14, Build 7: a scratch of a ball turns with the ball, wherever that turns, and its forces and moments
-// are those of the contacts' energy.
+// A scratch of a ball moves with the ball, whatever its rotation, and its forces and moments are those of the
+// contacts' energy.
 TEST(BallMotion, PowerBalancesOnScratchedBalls) {
   RandomBalls random(12);
   int struck = 0;

@@ -1,4 +1,4 @@
-// What Lundberg and Palmgren's life keeps when loads, bearings and speeds change together.
+// Invariants of Lundberg and Palmgren's life when loads, bearings and speeds change together.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/minima.hpp>

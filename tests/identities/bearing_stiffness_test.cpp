@@ -1,6 +1,5 @@
-// Issue 15, Build 1: the 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads
-// a little larger and smaller, and how the ring then stands. Its product with these slopes is the unit
-// matrix.
+// The 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: positions of the ring
+// under slightly larger and smaller loads. Its product with these slopes is the unit matrix.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -59,8 +58,8 @@ std::vector<Loaded> loaded_bearings() {
           {"rollers", rollers(), {}, Vector5(4000.0, 0.0, 0.0, 9.0, 5.0), false}};
 }
 
-// Where the ring stands under `load`: x, y, z and both tilts as tangents. The radial load lies along x for
-// the balance, so the bearing is turned below it.
+// Position of the ring under `load`: x, y, z and both tilts as tangents. The equilibrium requires the radial
+// load along x, so the bearing is rotated accordingly.
 Vector5 stands(const Loaded& at, const Vector5& load) {
   const double turn = std::atan2(load[1], load[0]);
   const Eigen::Rotation2D<double> back(turn);

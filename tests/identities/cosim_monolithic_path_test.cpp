@@ -153,8 +153,8 @@ TEST_F(MonolithicPath, ConvergesToTheReadableEquationsWithOrderTwo) {
   }
 }
 
-// Issue 17, Build 5: in steps of order 4 with oil in the pockets, a twelfth to two thirds of the error of
-// ROS2. The reference errs by 0.02.
+// Steps of order 4 with oil in the pockets: a twelfth to two thirds of the error of ROS2. The error of the
+// reference is 0.02.
 TEST_F(MonolithicPath, ConvergesInStepsOfOrderFourWithOil) {
   constexpr double kLength = 30e-6;  // [s]
   setup = test::oiled_reducer();

@@ -277,13 +277,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Seen{"film", 6000.0, 0.0, true, 0.0, 0.02},
                     Seen{"clearance", 6000.0, 37e-6, false, 0.0, 0.02},
                     Seen{"film_clearance", 12000.0, 37e-6, true, 0.0, 0.02},
-                    // Issue 16, Build 1: a bore that bends.
+                    // A bore that bends.
                     Seen{"rim", 6000.0, 0.0, false, 0.0, 0.02, true},
                     Seen{"rim_film", 12000.0, 37e-6, true, 300.0, 0.02, true},
                     Seen{"run_up", 6000.0, 0.0, false, 300.0, 0.02},
-                    // Issue 16, Build 8: rollers that touch one another.
+                    // Rollers that touch one another.
                     Seen{"full_complement", 6000.0, 20e-6, true, 300.0, 0.02, false, false},
-                    // Issue 17, Build 1: oil that is pressed out.
+                    // Squeeze film.
                     Seen{"squeeze_dry", 6000.0, 0.0, false, 0.0, 0.02, false, true, true},
                     Seen{"squeeze_film", 1000.0, 0.0, true, 0.0, 0.02, false, true, true},
                     Seen{"squeeze_clearance", 12000.0, 37e-6, true, 300.0, 0.02, true, true, true},

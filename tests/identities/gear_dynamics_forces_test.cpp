@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, GearDynamicsIdentity,
                                          Variant{"run_up", true, true, false},
                                          Variant{"back_flank", true, false, true},
                                          Variant{"affine_bearing", true, false, false, true},
-                                         // Issue 16, Build 4
+                                         // Teeth under load.
                                          Variant{"loaded_teeth", true, false, false, false, true},
                                          Variant{"loaded_run_up", true, true, true, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });

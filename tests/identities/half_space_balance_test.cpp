@@ -1,4 +1,4 @@
-// What must hold for every contact of half-spaces: load, moment, energy, symmetry, likeness.
+// Properties of every contact of half-spaces: load, moment, energy, symmetry, similarity.
 #include <gtest/gtest.h>
 
 #include <numbers>

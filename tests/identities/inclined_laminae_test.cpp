@@ -1,5 +1,5 @@
 // Tapered rollers cut into laminae: against laminae in space of a second program, whole contacts, slopes of
-// the energy, finer laminae. Issue 48, Build 2.
+// the energy, finer laminae.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Issue 15: ball bearings drawn at random, RANDOM_BALANCES of them: any valid geometry, rings at up to 15000
-// rpm, loads over five decades, radial, axial, inclined, with moments, with a given tilt, every closure. Each
-// finds its balance, or the reason why there is none.
+// Ball bearings drawn at random, RANDOM_BALANCES of them: any valid geometry, rings at up to 15000 rpm, loads
+// over five decades, radial, axial, inclined, with moments, with a given tilt, every closure. Each finds its
+// equilibrium, or the reason why there is none.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What holds for every bearing with scratches.
+// Properties of every bearing with scratches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +71,7 @@ TEST(ScratchRun, MeanForcesBalance) {
   }
 }
 
-// What the shaft turned is the integral of its speed, and goes on at the speed of the end.
+// The angle of the shaft is the integral of its speed, and continues at the speed of the end.
 TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   const bearing::defect::RunUp run_up{.from = 0.3, .time = 2.0};
   EXPECT_EQ(run_up.share_at(0.0), 0.3);

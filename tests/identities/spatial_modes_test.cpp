@@ -1,5 +1,5 @@
 // Natural frequencies of a planetary set in three dimensions: a body on its bearings by closed form, and the
-// set in its plane as the model of the plane has it. Issue 48, Build 4.
+// set in its plane compared with the model of the plane.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

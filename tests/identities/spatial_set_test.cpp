@@ -1,5 +1,5 @@
-// A planetary set in three dimensions at rest: its forces are those of its energy, and what symmetry, free
-// bodies and closed forms say of it. Issue 48, Build 4.
+// A planetary set in three dimensions without rotation: its forces are those of its energy; symmetry, free
+// bodies and closed forms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,8 +51,8 @@ double sun_base_radius(const SpatialSet& set) {
   return set.centre_distance * std::cos(set.sun.pressure_angle) - set.planet_base_radius;
 }
 
-// Of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it by
-// `angular`.
+// Compliance of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it
+// by `angular`.
 Eigen::MatrixXd sleeve(const SpatialSet& set, double radial, double angular) {
   Eigen::VectorXd position(static_cast<Eigen::Index>(set.planet_bearings.size()));
   for (std::size_t r = 0; r < set.planet_bearings.size(); ++r)
@@ -298,7 +298,7 @@ TEST(SpatialSet, BackFlanksChangeNothingUnderLoad) {
   EXPECT_TRUE((with.bearing_load.array() == without.bearing_load.array()).all());
 }
 
-// What a mesh carries over its face: the sum is the force, the largest over the mean is K_Hbeta.
+// Load of a mesh over its face: the sum is the force, the largest over the mean is K_Hbeta.
 TEST(SpatialSet, LoadOverTheFaceIsThatOfTheMesh) {
   const SpatialSet set = wind_stage();
   SpatialLoad load = rated();

@@ -1,4 +1,4 @@
-// Issue 16, Build 9: crowning where the planet finds its tilt on its pin.
+// Crowning with a computed tilt of the planet on its pin.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ TEST(CrownOfAPlanet, StraightItHasTheLifeOfASweep) {
             1.05);  // by clearance alone
 }
 
-// What a study adds to the inclination is what a case states of it.
+// An inclination that a study adds has the same effect as one that a case states.
 TEST(CrownOfAPlanet, LeansAsItsPinIsInclined) {
   PlanetaryDrivetrain inclined = tilting();
   inclined.seats.radial_inclination = 0.1e-3;

@@ -65,7 +65,7 @@ TEST(MultiStage, InSeriesAreAsEachAloneAtItsOwnSpeed) {
   expect_equal(both.system_life_hours, std::pow(together, -8.0 / 9.0));
 }
 
-// Issue 44, item 16: of several sets, too, each life of all is made of those lives.
+// With several sets, too, each life of the whole is computed from the same lives of the sets.
 TEST(MultiStage, HaveASystemsLivesOfTheSameLives) {
   std::vector<NamedSet> sets = pair_in_series();
   double kappa = 0.7;

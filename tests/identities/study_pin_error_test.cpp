@@ -61,8 +61,8 @@ TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
   EXPECT_LT(shares[0], shares[1] - 0.1);
 }
 
-// Issue 18, Build 4: searches of the last round start near their balances and still end there. Bearings
-// balanced anew from nothing give way to each planet's force as far as the balance says.
+// Searches of the last round start near their equilibria and still end there. Bearings solved anew without a
+// start deflect under each planet's force as far as the equilibrium reports.
 TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
   for (const int laminae : {0, 20}) {
     PlanetaryDrivetrain drivetrain = displaced(4, 5e-6, false);
@@ -90,7 +90,7 @@ TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
   }
 }
 
-// Issue 18, Build 4: a search that starts near ends where one from nothing does, and sooner.
+// A search that starts near ends where one without a start does, and sooner.
 TEST(LoadSharing, SearchesThatStartNearEndAlike) {
   const PlanetaryDrivetrain drivetrain = displaced(4, 0.0, false);
   const DrivetrainGeometry geometry = derive(drivetrain);
@@ -157,7 +157,7 @@ TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
   EXPECT_TRUE(evaluate(even, derive(even)).planets.empty());
 }
 
-// Issue 44, item 16: each life of all bearings of unlike planets is made of those lives.
+// Each life of all bearings of unequal planets is computed from the same lives of the bearings.
 TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   drivetrain.rated.oil = bearing::rating::StatedOil{.viscosity_ratio = 0.7, .contamination_factor = 0.5};
@@ -171,8 +171,8 @@ TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
   EXPECT_GT(std::abs(point.rating.system_hours.modified / point.rating.system_hours.basic - 1.0), 0.01);
 }
 
-// Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and
-// overturning moment of one planet are means over the planets.
+// The sun's thrust follows from its torque, however its planets share it; axial force and overturning moment
+// of one planet are means over the planets.
 TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   drivetrain.set.helix_angle = 0.2;

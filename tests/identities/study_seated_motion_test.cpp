@@ -1,5 +1,5 @@
-// Issue 48, "Together": all bearings in motion on planets that found their tilt at rest, and one of several
-// sets in motion by itself.
+// All bearings in motion on planets with a computed quasi-static tilt, and one of several sets in motion by
+// itself.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: what the bearings of a planet with two gears carry.
+// Loads of the bearings of a planet with two gears.
 #include <gtest/gtest.h>
 
 #include <cmath>

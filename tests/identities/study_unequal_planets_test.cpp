@@ -1,5 +1,4 @@
-// Planets at unequal steps: where teeth fit, who carries how much, which modes there are and what excites
-// them. Issue 16, Build 3: planets at unequal angles.
+// Planets at unequal angles: where teeth fit, load sharing, modes and their excitation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +70,7 @@ std::string problem_of(std::vector<double> degrees) {
   return problems.empty() ? "" : problems.front().key + ": " + problems.front().text;
 }
 
-// Issue 44, item 16: the gap from the last planet to the first counts, too.
+// The gap from the last planet to the first counts, too.
 TEST(UnequalPlanets, HaveALeastGapAllAround) {
   EXPECT_NEAR(gearset::least_step({0.0, 100.0 * degree, 230.0 * degree}), 100.0 * degree, 1e-12);
   EXPECT_NEAR(gearset::least_step({0.0, 130.0 * degree, 270.0 * degree}), 90.0 * degree, 1e-12);

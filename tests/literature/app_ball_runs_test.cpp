@@ -1,6 +1,6 @@
-// Issue 14, "Done when": what [Chen2026] says of a motor's bearing under four conditions, and the heat of
-// NASA's 35 mm bearing, beside the runs of the shipped cases. docs/deep_groove.md says what is reproduced and
-// what is missed.
+// Results of [Chen2026] for a motor's bearing under four conditions, and the heat of NASA's 35 mm bearing,
+// compared with the runs of the shipped cases. docs/deep_groove.md lists what is reproduced and what is
+// missed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Issue 15, Build 4 and 6: films of the printed rows of [Guo2013]. The contact and the oil are not printed: four constants were fitted
+// Films of the printed rows of [Guo2013]. The contact and the oil are not printed: four constants were fitted
 // to these rows.
 #include <gtest/gtest.h>
 

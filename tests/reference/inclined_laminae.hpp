@@ -29,7 +29,7 @@ struct LaminaLoads {
   double residual = 0.0;                          // [N]
 };
 
-/// Where a planet under `force` [N] and `moment` [N m] (about x and y) balances.
+/// Equilibrium of a planet under `force` [N] and `moment` [N m] (about x and y).
 LaminaLoads laminae_in_balance(const std::vector<LaminaRoller>& rollers, const std::array<double, 3>& force,
                                const std::array<double, 2>& moment);
 

@@ -29,7 +29,7 @@ struct SpringLoads {
   double residual = 0.0;             // [N]  largest of the forces left, moments over 1 m
 };
 
-/// Where a planet under `force` [N] and `moment` [N m] (about x and y) balances.
+/// Equilibrium of a planet under `force` [N] and `moment` [N m] (about x and y).
 SpringLoads springs_in_balance(const std::vector<InclinedSpring>& springs, const Space& force,
                                const std::array<double, 2>& moment, bool tilts);
 

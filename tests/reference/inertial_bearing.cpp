@@ -92,8 +92,8 @@ double rigid_film_load(const BearingNumbers& b, double radius, double gap, doubl
   return b.oil.viscosity * b.roller_length * scale / (gap * gap) * sum * (end - begin) / (3.0 * kPieces);
 }
 
-// What squeezing adds to a contact that carries `load` where the surfaces are `gap` apart, negative for an
-// overlap. Film and bodies yield in series under one load.
+// Load that squeezing adds to a contact that carries `load` where the surfaces are `gap` apart, negative for
+// an overlap. Film and bodies deflect in series under one load.
 double squeezed_load(const BearingNumbers& b, double radius, double speed, double gap, double load,
                      double closing) {
   const double central = OilFilm(b, radius, speed).central(load);
@@ -255,7 +255,7 @@ void guide(const BearingNumbers& b, const Body& cage, const Body& land, Load& on
   const double length = std::abs(offset);
   const Plane towards = length > 0.0 ? offset / length : Plane{1.0, 0.0};
   const double held = std::min(length / b.land_clearance, b.held_eccentricity);
-  // What is left of the cage's velocity in a frame that turns with the mean of both surfaces.
+  // Velocity of the cage in a frame that rotates with the mean of both surfaces.
   const Plane squeeze = cage.velocity - land.velocity - 0.5 * (cage.speed + land.speed) * kTurn * offset;
   const Plane force = std::abs(squeeze) > 0.0 ? squeezed(b, held, towards, squeeze) : Plane{};
   const double shear = 2.0 * kPi * b.oil.viscosity * std::pow(b.cage_guide_radius, 3.0) * b.lands *

@@ -82,8 +82,8 @@ struct Accelerations {
   std::vector<Plane> rim;                      // [m/s^2]  of the amplitudes
 };
 
-/// What Newton and Euler say under the contacts' forces and `bore_force` [N], which acts on the bore from
-/// outside: in inertial directions, without anything that a turning frame would add.
+/// Accelerations by Newton and Euler under the contacts' forces and `bore_force` [N], which acts on the bore
+/// from outside: in inertial directions, without terms of a rotating frame.
 Accelerations accelerations(const BearingNumbers& bearing, const Carrier& carrier, const Bodies& bodies,
                             Plane bore_force);
 

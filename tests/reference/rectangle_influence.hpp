@@ -26,7 +26,7 @@ class RectangleInfluence {
   /// For pressure (elements, rows): integral over each element of the integral of p/r [N], without 1/(pi E*).
   Eigen::ArrayXXd apply(const Eigen::ArrayXXd& pressure) const;
 
-  /// Of each element on itself, by unit pressure [m^3]  (elements).
+  /// Influence of each element on itself, by unit pressure [m^3]  (elements).
   const Eigen::ArrayXd& own() const { return own_; }
 
  private:

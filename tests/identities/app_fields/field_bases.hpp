@@ -253,9 +253,9 @@ inline std::string rollers_case() {
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
       {"bearing_in_a_set", kDrivetrain + kGears + kCarrier + kBearing + kShortRun},
-      // What pins load is seen at rest, and in motion as one system; modes, meshes and a bearing by itself
-      // cannot feel them, gears by themselves do in the case before, and the other rungs in motion know the
-      // same fields and take much longer.
+      // Loads by displaced pins are tested quasi-static, and in motion as one system; modes, meshes and a
+      // single bearing do not depend on them, gears alone are tested in the case before, and the other
+      // fidelities in motion have the same fields and take much longer.
       {"displaced_pins", displaced_pins(), "",
        use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing | use::gears |
            use::fmu_gearset},

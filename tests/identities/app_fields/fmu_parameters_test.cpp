@@ -1,5 +1,4 @@
-// Every parameter that an FMU shows changes what it gives: one that does not is none. Issue 44, item 17, and
-// issue 52, item 13.
+// Every parameter that an FMU shows changes its outputs: one that does not is no parameter.
 #include <gtest/gtest.h>
 
 #include <map>
