@@ -1,5 +1,5 @@
-// The program's catalogue (issue 16, Build 8; issue 47, item 4): what is inferred of its bearings against
-// what makers print, dimensions against the rules of ISO 15, and the designations nearest to an unknown one.
+// The program's catalogue: inferred interiors of its bearings compared with makers' data, dimensions with the
+// rules of ISO 15, and the designations nearest to an unknown one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using bearing::catalogue::Entry;  // not that of a case's tree
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-constexpr double kWithin = 0.01;    // [-]  of printed ratings, as the issue asks
+constexpr double kWithin = 0.01;    // [-]  of printed ratings
 constexpr double kWorst = 0.037;    // [-]  of the few beyond, all of them printed in a second edition as well
 constexpr double kRoundOff = 1e-9;  // [-]  of a root that is bisected
 
@@ -37,7 +37,7 @@ double miss(double found, double published) {
   return found / published - 1.0;
 }
 
-// What is beyond 1 % of C, and within 4 %; C_0 is met by each.
+// Lines whose C is off by more than 1 %, but within 4 %; C_0 is met by each.
 std::vector<std::string> beyond_one_percent(Family family) {
   std::vector<std::string> beyond;
   for (const Entry& entry : built_in_catalogue()) {
@@ -87,7 +87,7 @@ TEST(CatalogueLines, InsideOfNu2205IsAsAMakerStatesIt) {
   EXPECT_DOUBLE_EQ(inside.pitch_diameter, 39e-3);
 }
 
-// Where a line states the outer race as well, its rollers follow.
+// If a line states the outer race as well, its rollers follow.
 TEST(CatalogueLines, OuterRaceDecidesTheDiameterOfTheRollers) {
   Entry entry = line("NU 2205");
   entry.outer_race = 47.5e-3;

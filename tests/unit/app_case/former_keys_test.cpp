@@ -1,4 +1,4 @@
-// Issue 13, Build 7: keys have the field's names now, and cases that were written before are still read.
+// Cases that were written with former keys are still read; keys have the terms of the field now.
 #include "app/case/settings.hpp"
 
 #include <gmock/gmock.h>
@@ -50,8 +50,8 @@ TEST(FormerKeys, ASettingReplacesWhatTheFileGivesByThePresentName) {
   EXPECT_EQ(shipped({"life.lambda=0.61"}).number("life.reduction_factor"), 0.61);
 }
 
-// Issue 51, Build 6: the deprecation rule. A renamed key is read until the next major version, and each use
-// of it is warned of with the present name.
+// The deprecation rule. A renamed key is read until the next major version, and each use of it is warned of
+// with the present name.
 TEST(FormerKeys, EachLeadsToAKeyOfTheTableAndIsNoneItself) {
   const auto has = [](const std::string& path) {
     return std::ranges::any_of(all_fields(), [&](const Field& field) {

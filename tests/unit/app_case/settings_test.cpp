@@ -58,7 +58,7 @@ TEST(Settings, ReportMalformedOnesTogether) {
                           StartsWith("--set: bearing.width: ")));
 }
 
-// Issue 52, item 11: bytes that are not UTF-8 went on to the writer of JSON.
+// Bytes that are not UTF-8 must not reach the writer of JSON.
 TEST(Settings, MustBeText) {
   EXPECT_THAT(setting_mistakes({"name=\xff"}), ElementsAre(HasSubstr("--set: name: a byte that is not UTF-8")));
   EXPECT_THAT(setting_mistakes({"name=a\x1b[31m"}), ElementsAre(HasSubstr("--set: name: a control character")));

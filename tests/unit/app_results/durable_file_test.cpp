@@ -64,7 +64,7 @@ TEST(DurableFile, FullDiskKeepsTheFormerContent) {
   EXPECT_EQ(fake_sweep::snapshot(folder / "").size(), 1U);
 }
 
-// Issue 52, item 13: what to do follows from the cause; too many open files are no full disk.
+// The remedy follows from the cause; too many open files are no full disk.
 TEST(DurableFile, TooManyOpenFilesAreNoFullDisk) {
   const fake_sweep::TemporaryFolder folder;
   const Limit none(RLIMIT_NOFILE, 0);

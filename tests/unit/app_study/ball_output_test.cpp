@@ -1,4 +1,4 @@
-// Issue 44, item 16: each key and variable of a ball bearing in time holds its own number, in its own unit.
+// Each key and variable of a ball bearing in time holds its own number, in its own unit.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Issue 18, Build 5, and issue 45, Build 6: derivatives of a result that are known in closed form, what has
-// none, and the error that is stated of the others.
+// Derivatives of a result that are known in closed form, inputs without a derivative, and the stated error of
+// the others.
 #include "app/study/derivatives.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-// Of an elasticity: what equilibria and the step leave.
+// Tolerance of an elasticity: errors of equilibria and of the step.
 constexpr double kAgreement = 1e-8;
 
 ResolvedCase shipped(const std::string& name, const std::vector<std::string>& settings = {}) {

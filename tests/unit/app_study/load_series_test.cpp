@@ -86,7 +86,7 @@ double life_over_that_of_record(const LoadSeries& series, const BinCounts& count
   return record / bins;
 }
 
-// Issue 44, item 7: bins by 10/3 made lives by Lundberg and Palmgren too long, 12 % in one bin.
+// Bins by 10/3 made lives by Lundberg and Palmgren too long, 12 % in one bin.
 TEST(LoadSeries, FewBinsNeverLengthenALife) {
   const LoadSeries series = wavy(500);
   for (const BinCounts counts : {BinCounts{1, 1}, BinCounts{2, 3}, BinCounts{8, 8}, BinCounts{64, 8}}) {
@@ -111,7 +111,7 @@ TEST(LoadSeries, WhatAModifiedLifeCanGainByWideBinsIsTheDamageByItsSteepestPower
   EXPECT_NEAR(binned(two, {1, 1}, kSteepestExponent).excess.back(), 0.0, 1e-12);
 }
 
-// Issue 47, item 2: a table of design load cases.
+// A table of design load cases.
 TEST(LoadSeries, OfSeveralCountByTheirShareAndNotByTheirLength) {
   const LoadSeries brief{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
   const LoadSeries lengthy{{0.0, 1000.0, 2000.0}, {3.0, 3.0, 3.0}, {100.0, 0.0, 0.0}};
@@ -214,7 +214,7 @@ std::string fault_of(const std::filesystem::path& file) {
   return "";
 }
 
-// Issue 44, item 5: a decimal comma splits a number in two, and the row is longer than its head.
+// A decimal comma splits a number in two, and the row is longer than its head.
 TEST(LoadSeries, RowsMustFitTheirHead) {
   const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
@@ -231,7 +231,7 @@ TEST(LoadSeries, RowsMustFitTheirHead) {
   EXPECT_EQ(fault("\"0,0\",\"1500,5\",\"1591,25\"\n\"1,0\",\"1500,5\",\"1591,25\"\n"), "");
 }
 
-// Issue 52, item 10: what a file that is no table holds is not shown.
+// The content of a file that is no table is not shown.
 TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
   const TemporaryFolder position;
   fake_sweep::write(position / "secret", "token=hunter2\nmore\n");
@@ -247,7 +247,7 @@ TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
               HasSubstr("c.csv:3:7: found UTF-8 in a file whose line 1 holds bytes that are not"));
 }
 
-// Issue 44, item 17: a power at rest belongs to no torque.
+// A power at zero speed belongs to no torque.
 TEST(LoadSeries, PowersAtRestAreRefused) {
   const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
@@ -289,7 +289,7 @@ class Packed {
   int time_ = 0;
 };
 
-// Issue 52, item 2: packed values are unpacked [CF], and those that the file calls missing are refused.
+// Packed values are unpacked [CF], and values that the file marks as missing are refused.
 TEST(LoadSeries, NetcdfIsUnpackedAndNothingMissingIsTaken) {
   const TemporaryFolder position;
   {

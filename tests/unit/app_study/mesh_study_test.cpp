@@ -59,7 +59,7 @@ pair:
   EXPECT_EQ(mean(short_case), mean(pair_case()));
 }
 
-// Issue 18, Build 4: meshes are kept for points that share them, and for no others.
+// Meshes are kept for points that share them, and for no others.
 TEST(MeshStudy, KeptMeshesAreThoseOfTheirOwnCase) {
   const auto sun_mean = [](const std::vector<std::string>& settings) {
     return planetary_meshes_of(shipped(settings)).sun.curve.mean();

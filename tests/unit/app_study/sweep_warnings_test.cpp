@@ -1,5 +1,4 @@
-// Which rows a sweep warns of: beyond each limit, and none at it. Issue 44, Build 4 (b) and item 16; words
-// and numbers in tests/messages.txt.
+// Rows that a sweep warns of: beyond each limit, and none at it; words and numbers in tests/messages.txt.
 #include "app/study/sweep_warnings.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 14, Build 2 and 4: churning of oil that goes round with the cage, by its balance of angular momentum.
+// Churning of oil that rotates with the cage, by its balance of angular momentum.
 #include "bearing/motion/balls/mixture.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   EXPECT_LT(drag.cage_churning, 1e-9 * 4e-9);
 }
 
-// What flows through has to be brought to the cage's speed: m' r^2 w, where balls hardly slip in the mixture.
+// The flow must be accelerated to the cage's speed: m' r^2 w, where balls hardly slip in the mixture.
 TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   MixtureNumbers m = jet();
   m.width = 0.0;
@@ -152,9 +152,9 @@ TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   }
 }
 
-// Issue 19, Build 6. Slow turning in a standing cylinder a gap t = s R away is Couette's flow, whose torque 4
-// pi mu w b R^2 (R + t)^2 / (t (2 R + t)) makes 8 (1 + s)^2 / (2 + s) of friction times Reynolds number. The
-// fit of the measurements, ~ s^0.3, cuts it at s = 0.066.
+// Slow rotation in a stationary cylinder a gap t = s R away is Couette's flow, whose torque 4 pi mu w b R^2
+// (R + t)^2 / (t (2 R + t)) makes 8 (1 + s)^2 / (2 + s) of friction times Reynolds number. The fit of the
+// measurements, ~ s^0.3, cuts it at s = 0.066.
 TEST(CylinderFriction, IsCouettesWhereTheFlowIsLaminar) {
   constexpr double kFit = 0.09;  // of the fit between these gaps, largest at s = 0.1
   for (const double s : {0.05, 0.066, 0.08, 0.1}) {

@@ -1,4 +1,4 @@
-// Issue 14: kinematics of a ball in its pocket, Eqs. (14) to (18) of [Chen2026], and forces on both bodies.
+// Kinematics of a ball in its pocket, Eqs. (14) to (18) of [Chen2026], and forces on both bodies.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -141,7 +141,7 @@ TEST(PocketContact, SlopesOfTheFilmAreThoseOfItsLoad) {
     }
 }
 
-// Issue 19, Build 6: the same of both sides together, by every motion of the ball in its pocket.
+// The same of both sides together, by every motion of the ball in its pocket.
 TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
   const Film film;
   const ContactAxes<double> axes{.normal = {0.0, 1.0, 0.0}, .along = {0.0, 0.0, 1.0}, .across = {1.0, 0.0, 0.0}};

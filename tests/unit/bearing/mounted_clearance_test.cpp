@@ -187,8 +187,8 @@ TEST(MountedClearance, WithoutRingsPinAndPlanetAreTheRaces) {
   EXPECT_NEAR(chain.warm - chain.fitted, -9.1885 * kUm, kPublished * 9.0 * kUm);
   EXPECT_EQ(chain.inner_pressure, 0.0);
   EXPECT_EQ(chain.outer_pressure, 0.0);
-  // Issue 19, Build 6: a planet that ends within its own race, at 35.01 mm, is none; nor is a pin of a hole
-  // alone.
+  // Refused are a planet that ends within its own race, at 35.01 mm, and a pin whose bore is larger than the
+  // pin.
   EXPECT_NO_THROW(clearance_chain(needles, mounting, {.planet_outer_radius = 17.6 * kMm}));
   EXPECT_REFUSED(std::invalid_argument, "mounted_clearance 3",
                  clearance_chain(needles, mounting, {.planet_outer_radius = 17.4 * kMm}));

@@ -45,9 +45,9 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }
 
-// Issue 44, item 4: the damage at a sharp end is that of a pressure averaged over one half-width, whatever
-// the number of laminae. The share of straight rollers is taken over a small crown near the best one, whose
-// life hardly depends on its drop.
+// The damage at a sharp end is that of a pressure averaged over one half-width, whatever the number of
+// laminae. The share of straight rollers is taken over a small crown near the best one, whose life hardly
+// depends on its drop.
 TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
   constexpr double kConverged = 0.005;
   struct Speed {

@@ -83,7 +83,8 @@ TEST(ScratchedMotion, RollersGoByTheirPower) {
   EXPECT_NEAR(motion.static_position().load[0], load, 1e-9 * load);
 }
 
-// Where a scratch is met, and how often: the middle of each passing is a whole number of passes on.
+// Positions and frequency of contacts with a scratch: the middle of each passing is a whole number of passes
+// on.
 TEST(ScratchedMotion, ScratchesAreMetAtTheirPassingFrequency) {
   for (const Scratched race : {Scratched::outer, Scratched::inner, Scratched::ball}) {
     const ScratchedBearing in = scratched(race);

@@ -1,4 +1,4 @@
-// Issue 15, Build 2: identification finds the constants that frequencies were made with.
+// Identification finds the constants that frequencies were made with.
 #include "bearing/duplex/identification.hpp"
 
 #include <gtest/gtest.h>

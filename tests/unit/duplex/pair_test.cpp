@@ -1,4 +1,4 @@
-// Issue 15, Build 2: a pair's stiffness is the slope of its balance; its limits by arrangement and preload.
+// A pair's stiffness is the slope of its equilibrium; its limits by arrangement and preload.
 #include "bearing/duplex/pair.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 15, Build 2: modes and frequency response of a shaft against closed forms.
+// Modes and frequency response of a shaft against closed forms.
 #include "bearing/duplex/shaft.hpp"
 #include "mechanics/constants.hpp"
 

@@ -1,5 +1,5 @@
-// Level rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
-// loads and motions drawn at random. Issue 18, Build 4.
+// Aligned rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
+// loads and motions drawn at random.
 #include "bearing/equilibrium/aligned_pitch.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Issue 15, Build 1 and 6: balls at speed: bearing 218 of [Harris2006], slopes against differences, limits,
-// and the moment that a turning ball asks for.
+// Balls at speed: bearing 218 of [Harris2006], slopes against differences, limits, and the moment that a
+// rotating ball requires.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

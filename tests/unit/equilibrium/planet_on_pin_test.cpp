@@ -1,4 +1,4 @@
-// Issue 16, Build 2 and "Done when": a planet that finds its own tilt on two bearings.
+// Computed tilt of a planet on two bearings.
 #include "bearing/equilibrium/planet_on_pin.hpp"
 
 #include <gtest/gtest.h>

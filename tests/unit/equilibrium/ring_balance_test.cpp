@@ -64,10 +64,9 @@ TEST(StaticBalls, ForcesHaveAnEnergy) {
   expect_slopes(BallRow(bearing), position);
 }
 
-// Issue 44, item 14: the groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2)
-// cos(a), so a tilt moves them along z by R_i psi cos(phi). With that arm, the displacement and the loads
-// that are reported, the moment is the slope of the potential U(psi) - F_r u(psi) - F_a w(psi), whose slopes
-// by u and w vanish.
+// The groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2) cos(a), so a tilt moves
+// them along z by R_i psi cos(phi). With that arm, the displacement and the loads that are reported, the
+// moment is the slope of the potential U(psi) - F_r u(psi) - F_a w(psi), whose slopes by u and w vanish.
 TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
   for (const double nominal : {0.0, 0.5}) {
     const Bearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 10e-6);

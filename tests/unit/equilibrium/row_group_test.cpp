@@ -1,4 +1,4 @@
-// Issue 15, Build 1 "any number of rows", and a duplex pair at speed.
+// Groups of any number of rows, and a duplex pair at speed.
 #include "bearing/equilibrium/row_group.hpp"
 
 #include <gtest/gtest.h>

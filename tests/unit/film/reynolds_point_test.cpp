@@ -1,4 +1,4 @@
-// Issue 15, Build 5: Reynolds' equation of an elliptical contact that rolls and spins.
+// Reynolds' equation of an elliptical contact that rolls and spins.
 #include <gtest/gtest.h>
 
 #include <algorithm>

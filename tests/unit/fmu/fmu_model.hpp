@@ -73,7 +73,7 @@ class Resources {
   std::string token_;
 };
 
-/// What an instance logged.
+/// Messages that an instance logged.
 struct Messages {
   std::vector<std::pair<int, std::string>> list;  // status, text
 
@@ -84,7 +84,7 @@ struct Messages {
   }
 };
 
-/// What a call came to: its status and what it logged, as 'error: fmi2DoStep: ...'. Clears the log.
+/// Outcome of a call: its status and its log, as 'error: fmi2DoStep: ...'. Clears the log.
 inline std::string said(Messages& log, int status) {
   constexpr const char* names[] = {"ok", "warning", "discard", "error", "fatal"};
   std::string text = names[status];

@@ -1,5 +1,5 @@
-// Issue 49, Build 1: oil where it is. Share of oil by the flow, starvation, heated inlets, viscosity under
-// pressure, each against its published form and its limits.
+// Oil supply of the contacts: share of oil by the flow, starvation, heated inlets, viscosity under pressure,
+// each against its published form and its limits.
 #include "bearing/friction/oil_supply.hpp"
 
 #include <gtest/gtest.h>
@@ -237,7 +237,8 @@ struct RigidFilm {
   double load = 0.0, moment = 0.0;
 };
 
-// Where a film between rigid cylinders ends at `exit`, its pressure there; adds to the sum if there is one.
+// Pressure at the end `exit` of a film between rigid cylinders; adds load and moment to `sum` if there is
+// one.
 double pressure_at_end(double from, double exit, RigidFilm* sum) {
   constexpr int count = 40000;
   const double first = -std::asinh(from);

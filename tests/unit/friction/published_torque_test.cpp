@@ -1,4 +1,4 @@
-// Issue 49, Build 2: friction torque by formulas of others, against values by hand.
+// Friction torque by formulas of other sources, against values by hand.
 #include "bearing/friction/published_torque.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(PalmgrenTorque, OfARollerBearingByHand) {
   EXPECT_NEAR(torque.load_dependent, 11.055e-3, kByHand * 11.055e-3);
 }
 
-// Of balls f_1 grows with the root of the load: 0.0009 (390/7800)^0.5 = 2.0125e-4, x 390 N x 38.5 mm.
+// For balls f_1 grows with the root of the load: 0.0009 (390/7800)^0.5 = 2.0125e-4, x 390 N x 38.5 mm.
 TEST(PalmgrenTorque, OfABallBearingByHand) {
   const TorqueCondition run = at(28000.0, 12.0, 390.0);
   const PartedTorque torque = parted_torque(palmgren_factors(ball_bearing(), run), 38.5e-3, run);

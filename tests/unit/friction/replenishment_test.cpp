@@ -110,7 +110,8 @@ TEST(ReturnedOil, OfRollersIsByTheirChurning) {
   EXPECT_NEAR(turning.returned(Race::outer), expected, 1e-12 * expected);
 }
 
-// What comes to a race in the time of one turn past the rollers has the momentum that its wall takes.
+// The oil that returns to a race in the time of one turn past the rollers has the momentum that its wall
+// takes.
 TEST(ReturnedOil, OfRacesHasTheMomentumOfTheirDrag) {
   Turning turning;
   turning.drag.churning = 0.0;

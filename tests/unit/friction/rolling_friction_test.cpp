@@ -1,5 +1,4 @@
-// Issue 49, Build 2: friction at pure rolling, against the laws written out and against the bearing in
-// motion.
+// Friction at pure rolling, against the laws written out and against the bearing in motion.
 #include "bearing/friction/rolling_friction.hpp"
 
 #include <gtest/gtest.h>

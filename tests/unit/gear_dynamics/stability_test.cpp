@@ -1,5 +1,5 @@
-// Whether a set on fitted bearings stays where it is: rates of growth, springs that pump, the motion that
-// repeats, and runs that are given up in time. Issue 17, Build 3.
+// Stability of a set on fitted bearings: rates of growth, parametric excitation, the periodic motion, and
+// runs that are stopped in time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A set at rest that follows its pins, against the search anew at each of their places. Issue 18, Build 4.
+// A static set that follows its pins, against a new search at each of their positions.
 #include <gtest/gtest.h>
 
 #include "gearset/dynamics/bearing_force.hpp"

@@ -1,4 +1,4 @@
-// Issue 16, Build 3: a parallel stage in front of or behind planetary sets.
+// A parallel stage in front of or behind planetary sets.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: two gears on each planet, the first in the sun, the second in the ring.
+// Two gears on each planet, the first in the sun, the second in the ring.
 #include "gearset/stepped_planet.hpp"
 
 #include <gtest/gtest.h>

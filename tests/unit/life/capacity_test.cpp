@@ -45,7 +45,7 @@ TEST(RollerCapacity, ContactsDoNotDependOnLambda) {
   EXPECT_NEAR(with.outer / without.outer, 1.0, kRoundOff);
 }
 
-// Where gamma goes to 0 the races differ by their factors alone:
+// For gamma to 0 the races differ by their factors alone:
 // Q_o/Q_i = 0.378/0.364 ((1 + 1.038^-4.5)/(1 + 1.038^4.5))^(2/9) = 0.378/(0.364 * 1.038).
 TEST(RollerCapacity, RacesOfAVeryLargeBearingAreAlike) {
   RollerSet flat = rollers();

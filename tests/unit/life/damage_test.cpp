@@ -61,7 +61,7 @@ TEST(Position, BinsAreCentredOnTheirAngles) {
   }
 }
 
-// Issue 17, Build 5: whole turns are taken off without the library's floor(): the same bins to the last one.
+// Whole turns are subtracted without the library's floor(): the same bins to the last one.
 TEST(Position, IsThatOfFloor) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> angles(-400.0, 400.0);
@@ -73,7 +73,7 @@ TEST(Position, IsThatOfFloor) {
   }
 }
 
-// Issue 17, Build 5: what counts for two sums is worked out once. Sums of other bins get theirs all the same.
+// Values that two sums share are computed once. Sums of other bins get theirs all the same.
 TEST(Damage, CountsForTwoSumsAsForEach) {
   const std::vector<double> angle{0.1, 2.0, -3.0}, speed{-300.0, -310.0, -320.0}, inner{900.0, 10.0, 0.0},
       outer{950.0, 0.0, 30.0};
@@ -223,7 +223,8 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   EXPECT_NEAR(life.outer, 1e6 * std::pow(on_bore, -8.0 / 9.0), kRoundOff * life.outer);
   EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
   EXPECT_NE(life.inner, lamina_damage(races, 0, kEndDisplacement).life(bearing, kLambda).inner);
-  // Where the pin turns under a load that stands on the bore, the exponents change races; nothing else does.
+  // If the pin rotates under a load that is stationary relative to the bore, the exponents change races;
+  // nothing else does.
   bearing.motions = rating::rotating(Race::inner);
   const BearingLife swapped = sums.life(bearing, kLambda);
   const double rotating_pin = (pin.pow(4.5 / 4.0) / std::pow(inner_capacity, 4.5)).sum();

@@ -1,4 +1,4 @@
-// Issue 44, Build 1: one set of lives for every bearing. Issue 44, items 1 and 2.
+// One set of lives for every bearing.
 #include "bearing/life/rating_lives.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace orbearing::bearing::rating::rating_lives_test {
 namespace {
 
-// Of any number of laminae.
+// The printed formula, for any number of laminae.
 const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
 
 constexpr double kRoundOff = 1e-12;
@@ -165,7 +165,7 @@ TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   EXPECT_NEAR(lives.reference_modification / expected, 1.0, kSumsOfPowers);
 }
 
-// Of two rows P_k has the factor 2, where their C has 2^(7/9): under the same loads of all laminae the
+// For two rows P_k has the factor 2, where their C has 2^(7/9): under the same loads of all laminae the
 // bearing bears twice the load of one row, and the share of a lamina in it is half.
 TEST(RatingLives, LaminaOfTwoRowsStandsForTheLoadOfBoth) {
   Bearing bearing = example_bearings::planet_bearing();

@@ -11,7 +11,7 @@
 namespace orbearing::bearing::rating::reference_life_test {
 namespace {
 
-// Of any number of laminae.
+// The printed formula, for any number of laminae.
 const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
 
 constexpr double kRoundOff = 1e-12;

@@ -1,4 +1,4 @@
-// The one search of all static balances. Issue 13, Build 5.
+// The one search of all static equilibria.
 #include "mechanics/convex_search.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: a ring and the gear inside it as a pair of their own.
+// A ring and the gear inside it as a pair of their own.
 #include <gtest/gtest.h>
 
 #include <cmath>

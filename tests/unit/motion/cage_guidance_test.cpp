@@ -24,7 +24,7 @@ FilmResistance<double> by_quadrature(double eccentricity, double direction) {
   return sum;
 }
 
-// Issue 17, Build 2: in rational terms and one arc tangent.
+// In rational terms and one arc tangent.
 TEST(CageGuidance, ClosedFormIsTheIntegralOverTheHalfFilm) {
   for (double eccentricity : {0.0, 0.1, 0.6, 0.95})
     for (double direction = -3.1; direction < 3.2; direction += 0.4) {

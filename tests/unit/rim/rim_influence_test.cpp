@@ -1,4 +1,4 @@
-// Issue 16, Build 1: influence functions of a planet's rim.
+// Influence functions of a planet's rim.
 #include "gearset/rim/rim_influence.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 16, Build 1: the body behind the influence functions, against closed forms of rings.
+// The body behind the influence functions, against closed forms of rings.
 #include "gearset/rim/sector_body.hpp"
 
 #include <gtest/gtest.h>

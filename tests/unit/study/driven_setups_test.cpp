@@ -1,4 +1,4 @@
-// What a bearing that is driven by its gears takes over from its drivetrain.
+// Properties that a bearing driven by its gears takes over from its drivetrain.
 #include "coupling/study/driven_setups.hpp"
 
 #include <gtest/gtest.h>

@@ -129,7 +129,7 @@ TEST(ResultTable, BoundHoldsOnRandomPoints) {
   }
 }
 
-// What is near the kink is left to the program until cells are small enough, and no answer hides it.
+// Points near the kink are left to the program until cells are small enough, and no answer hides it.
 TEST(ResultTable, KinkShowsInTheMeasuredError) {
   double before = -1.0;
   for (const std::size_t most : {200U, 2000U, 20000U}) {

@@ -1,4 +1,4 @@
-// Issue 14, Build 4: a small thermal network that goes on by averaging.
+// A small thermal network that is integrated with averages.
 #include "coupling/system/heated_balls.hpp"
 
 #include <gtest/gtest.h>
@@ -137,7 +137,8 @@ TEST(HeatedBalls, ClearanceFollowsTheTemperaturesByHand) {
   EXPECT_NEAR(clearance(20.0, 20.0 + 5e-6 / (11.5e-6 * 26.4775e-3), 20.0), 0.0, 1e-12);
 }
 
-// What moves has the clearance: grooves stand apart by what their own circles and radii leave.
+// The parts in motion have the clearance: grooves are apart by the distance that their own circles and radii
+// leave.
 TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
   Small small;
   small.bearing.elements = bearing::Balls{7, 9.52e-3, 0.3};

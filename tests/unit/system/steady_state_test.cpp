@@ -1,5 +1,5 @@
-// When means stand still, and what becomes of the means of several bearings: one criterion for the free
-// bearing, the driven one and one system. Issue 13, Build 3.
+// Steady means, and the means of several bearings: one criterion for the free bearing, the driven one and one
+// system.
 #include "coupling/system/steady_state.hpp"
 
 #include <gtest/gtest.h>
@@ -201,8 +201,8 @@ TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
   }
 }
 
-// Of several bearings one at a time gives a state; over a run each of them does, a like share, and none
-// always in the same place of a window. Issue 17, Build 5.
+// One of several bearings at a time gives a state; over a run each of them does, in equal shares, and none
+// always at the same position in a window.
 TEST(RunToSteadyState, StatesComeFromAllBearingsInNoFixedPosition) {
   class Watched : public EvenMotion {
    public:
