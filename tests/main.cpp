@@ -1,6 +1,6 @@
-// One program for all kinds of C++ tests. Beside the patterns of GoogleTest, --gtest_filter takes a folder or
-// a file of tests/: --gtest_filter=unit/bearing/ or --gtest_filter=unit/life/damage_test.cpp means the tests
-// that stand there.
+// One program for all kinds of C++ tests. Besides the patterns of GoogleTest, --gtest_filter takes a folder
+// or a file of tests/: --gtest_filter=unit/bearing/ or --gtest_filter=unit/life/damage_test.cpp means the
+// tests in it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

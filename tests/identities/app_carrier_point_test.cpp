@@ -1,5 +1,5 @@
-// Points at rest of a case that states the bearings of its carrier: lives of the bearings over a revolution
-// are those of the plane where nothing sags or tilts, and hold on finer steps.
+// Quasi-static points of a case that states the bearings of its carrier: lives of the bearings over a
+// revolution are those of the plane where nothing deflects or tilts, and hold on finer steps.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,8 +83,7 @@ const std::vector<std::string> kSagging{"gearset.carrier.bearing_clearance=[80 u
                                         "gearset.carrier.rotor_force=[0 N, -2000 N, 0 N]",
                                         "gearset.carrier.rotor_moment=[150 N.m, 0 N.m]"};
 
-// Planets at equal steps are asked for one step; errors of the pins that are none ask for the whole
-// revolution.
+// Planets at equal steps require one step; pin errors of zero require the whole revolution.
 TEST(CarrierPoint, PlanetsThatAreAlikeMeetTheSameLoadsInTurn) {
   const ResolvedCase in = case_of("reducer_150kW", kSagging);
   const study::NamedSet set = bearing_sets(in).front();

@@ -18,8 +18,8 @@ namespace {
 using study::Fidelity;
 using study::PointResult;
 
-// On the pin and in the bore of two planets; few windows and coarse steps, since it is asked whether they
-// run.
+// On the pin and in the bore of two planets; few windows and coarse steps, since only the completion of the
+// run is tested.
 std::string planet(const std::string& bearing) {
   return R"(name: planet
 source: a catalogue
@@ -54,7 +54,8 @@ class EveryRung : public testing::TestWithParam<Rung> {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     return study::evaluate(set.drivetrain, set.geometry, GetParam().fidelity);
   }
-  // Rollers in motion carry what they carry at rest but for traction and what `shaken` allows for vibration.
+  // Rollers in motion carry the quasi-static loads but for traction and the share that `shaken` allows for
+  // vibration.
   void expect_loads_at_rest(const std::string& bearing, const PointResult& moving, double shaken) const {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     const PointResult still = study::evaluate(set.drivetrain, set.geometry);

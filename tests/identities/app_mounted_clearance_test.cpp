@@ -1,5 +1,5 @@
-// The clearance that follows from fits, temperatures and speed is felt like a stated one, at every speed and
-// in every study.
+// The clearance that follows from fits, temperatures and speed has the same effect as a stated one, at every
+// speed and in every study.
 #include <gtest/gtest.h>
 
 #include "app/case/case_file.hpp"

@@ -1,6 +1,6 @@
-// Is the steady motion of a planet bearing periodic over a roller passage, the time in which the cage turns
-// by one pocket and after which every roller could stand where its neighbour was? Under the mean forces of
-// the gears nothing else changes with time. docs/periodic_motion.md holds the figures.
+// Test whether the steady motion of a planet bearing is periodic over a roller passage, the time in which the
+// cage rotates by one pocket and after which every roller could be where its neighbour was. Under the mean
+// forces of the gears nothing else changes with time. docs/periodic_motion.md has the figures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,7 +110,7 @@ class Passages {
     y[layout().cage() + 2] -= sense() * pitch();
     return y;
   }
-  /// The same of rates, which know no place.
+  /// The same for rates, which do not depend on the position.
   VectorXd with_names_moved(const VectorXd& x) const {
     const Index z = layout().rollers, one = sense() > 0.0 ? z - 1 : 1;
     VectorXd y = x;

@@ -22,8 +22,8 @@ namespace {
 
 using diagnosis::Spectrum;
 
-// Each takes seconds: what several tests look at is computed once. A scratch of the pin stands in the load
-// and is clear in a short signal; what comes by now and then needs a longer one.
+// Each takes seconds: a study for several tests is computed once. A scratch of the pin remains in the load
+// zone and is clear in a short signal; scratches that pass it now and then require a longer one.
 const PlanetDefectStudy& study_of(std::vector<std::string> settings, int carrier_revolutions = 6) {
   static std::map<std::vector<std::string>, PlanetDefectStudy> studies;
   settings.insert(settings.begin(), "signal.carrier_revolutions=" + std::to_string(carrier_revolutions));
@@ -50,7 +50,7 @@ double floor_of(const Spectrum& spectrum, double highest) {
   return lines[lines.size() / 2];
 }
 
-constexpr double kClear = 4.0;   // a line stands out: so many times the median of the spectrum around it
+constexpr double kClear = 4.0;   // a line is clear: so many times the median of the spectrum around it
 constexpr double kBuried = 3.0;  // the largest of three neighbours of noise rarely exceeds it
 
 TEST(PlanetScratch, OuterRaceGivesItsLineWithSideBandsOfThePlanetInTheCarriersFrame) {
@@ -83,8 +83,8 @@ TEST(PlanetScratch, InnerRaceStandsAndGivesItsLineAlone) {
   EXPECT_EQ(study.carrier.envelope_peaks.front().is, "inner race defect");
 }
 
-// One damaged planet goes by: both side bands of the carrier stay. They are absent in the carrier's own
-// frame.
+// One damaged planet passes the sensor: both side bands of the carrier remain. They are absent in the
+// carrier's own frame.
 TEST(PlanetScratch, HousingSeesSideBandsOfTheCarrier) {
   const PlanetDefectStudy& study = study_of({"defect.race=inner"}, 3);
   const auto& at = study.turned;
@@ -116,8 +116,8 @@ TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
 
 TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
-  // Six revolutions: beside the pin's scratch, which rings through the spectrum, the bore's stands out by 3.0
-  // to 5.1 in six starts, by 1.8 to 3.3 in half the turns.
+  // Six revolutions: besides the pin's scratch, whose impacts are in the whole spectrum, the bore's line is
+  // above the floor by a factor of 3.0 to 5.1 in six starts, of 1.8 to 3.3 in half the turns.
   const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.also=outer"});
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
@@ -142,12 +142,12 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
        {163.0 * fm - fc - instants, 2.0 * instants - 325.0 * fm - fc, 488.0 * fm - 3.0 * instants})
     EXPECT_GT(level(study.housing.spectrum, folded), kClear * floor_of(study.housing.spectrum, 1500.0))
         << folded;
-  // In the carrier's frame the teeth's own lines stand.
+  // In the carrier's frame the teeth's own lines remain.
   EXPECT_GT(level(study.carrier.spectrum, study.rolling.mesh),
             100.0 * floor_of(study.carrier.spectrum, 3000.0));
 }
 
-// A measured table in place of a form; and a run-up whose lines are orders of the carrier.
+// A measured table instead of a form; and a run-up whose lines are orders of the carrier.
 TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   const PlanetDefectStudy& study =
@@ -155,8 +155,8 @@ TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
                 "signal.run_up_from=0.5"});
   const double order = study.turned.bearing.inner_pass / study.turned.carrier;
   EXPECT_NEAR(order, study.rolling.bearing.inner_pass / study.rolling.carrier, 0.01 * order);
-  // The teeth's order, that of the ring in a turn of the carrier, stands as one line. A scratch is drowned by
-  // it: its order is not found (docs/defects/planet.md).
+  // The teeth's order, that of the ring in a turn of the carrier, is one line. It conceals a scratch, whose
+  // order is not found (docs/defects/planet.md).
   const Spectrum& orders = study.carrier.spectrum;
   EXPECT_GT(level(orders, 79.0), kClear * floor_of(orders, 2.0 * 79.0));
   const Eigen::ArrayXd& angle = study.vibration.carrier_angle;

@@ -312,7 +312,7 @@ class RandomStates {
   std::mt19937_64 engine_;
 };
 
-// A bearing and a state of it that one number stands for.
+// A bearing and a state of it, both drawn from one number.
 struct Case {
   explicit Case(unsigned number, const RandomStates::Kind& kind = {}) : random(number) {
     const Bearing bearing = random.bearing();

@@ -341,7 +341,7 @@ TEST(BallMotion, StartsRolling) {
   }
 }
 
-// A moment in the plane of the radial load tilts the ring at the start as it does at rest.
+// A moment in the plane of the radial load tilts the ring at the start as in the quasi-static state.
 TEST(BallMotion, StartsTiltedByItsMoment) {
   Bearing b;
   b.elements = Balls{9, 10e-3, 0.4};

@@ -21,7 +21,7 @@ using constants::degree;
 using Vector5 = Eigen::Vector<double, 5>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-constexpr double kAgreement = 1e-6;  // asked of every entry, over what its row and column scale with
+constexpr double kAgreement = 1e-6;  // required of every entry, over what its row and column scale with
 
 struct Loaded {
   std::string name;
@@ -134,8 +134,8 @@ TEST(BearingStiffness, ReciprocityAtRest) {
   }
 }
 
-// Under thrust alone nothing prefers a direction across the axis; a row whose angle does not change follows
-// K_z = 3/2 F/w, and so grows with the cube root of the load; what turns slowly is at rest.
+// Under thrust alone no direction across the axis is distinguished; a row whose angle does not change follows
+// K_z = 3/2 F/w, and so grows with the cube root of the load; slow rotation tends to the stationary bearing.
 TEST(BearingStiffness, Limits) {
   Bearing bearing = angular_contact();
   const auto under = [&](double axial, double speed) {

@@ -43,7 +43,7 @@ TEST(Monolithic, NoStepWithOilIsLongerThanTheRingAllows) {
   EXPECT_GT(static_cast<double>(system.report().steps) + 1.0, kSeconds / longest);
 }
 
-// Steps that pass the times asked for, and states between them, against windows that end there.
+// Steps that pass the requested times, and states between them, against windows that end there.
 TEST(Monolithic, FollowedIsAsInWindows) {
   CoupledSetup setup = test::coupled_reducer();
   setup.bearing.allowed_length_error = 1e-14;

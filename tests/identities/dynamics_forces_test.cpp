@@ -194,8 +194,8 @@ TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
   }
 }
 
-// Forces inside the bearing cancel, and so do their moments about the origin: what Newton and Euler ask for
-// beyond what acts from outside. The pin's moment is that of the power that keeps it turning.
+// Forces inside the bearing cancel, and so do their moments about the origin: Newton and Euler require this
+// apart from external loads. The pin's moment is that of the power that keeps it rotating.
 TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
   point.inner_speed = -300.0;
   const BearingModel model = model_now();

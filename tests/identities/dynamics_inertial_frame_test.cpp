@@ -158,7 +158,8 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   bodies.pin = outside.body(plane(state.pin_position), plane(state.pin_velocity), 0.0, point.inner_speed);
   bodies.bent = amplitudes(state.wave);
   bodies.bending = amplitudes(state.wave_speed);
-  // The load that is stated holds the planet's inertial load at the pin's axis, which no frame at rest has.
+  // The load that is stated balances the planet's inertial load at the pin's axis, which no inertial frame
+  // has.
   const double orbit = point.carrier.orbit_radius;
   const Plane inertial =
       numbers.bore_mass * orbit * Plane(carrier.speed * carrier.speed, -carrier.acceleration);
@@ -195,7 +196,7 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   return {rates, -found.bore_moment * point.outer_speed - found.pin_moment * point.inner_speed};
 }
 
-// A pin that turns, too: the equations know no standing race.
+// A pin that rotates, too: the equations assume no stationary race.
 OperatingPoint rotating_pin(OperatingPoint point) {
   point.inner_speed = 40.0;  // [rad/s]
   return point;

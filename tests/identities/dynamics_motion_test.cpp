@@ -178,7 +178,7 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
                                random));
   EXPECT_NEAR(std::log2(path.error(Method::rk4, 2e-7) / path.error(Method::rk4, 1e-7)), 4.0, kMargin);
   // Its constants of order 5 are small: the terms of orders 6 and 7 still lead where steps are long enough
-  // for errors to stand above round-off (7e-15 m).
+  // for errors above round-off (7e-15 m).
   const double order =
       std::log2(path.error(Method::fixed_dopri5, 2e-7) / path.error(Method::fixed_dopri5, 1e-7));
   EXPECT_GT(order, 5.0 - kMargin);
@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(Rims, SteadyStateOfRims, testing::Bool(),
                            return rim.param ? "elastic" : "rigid";
                          });
 
-// Cage slip of the bearing in a housing at rest, 20 um clearance, one ring turning at 1000 rad/s.
+// Cage slip of the bearing in a stationary housing, 20 um clearance, one ring rotating at 1000 rad/s.
 double slip_in_housing(double OperatingPoint::*rotating, double load) {
   Bearing bearing = test::reducer_bearing();
   bearing.radial_clearance = 20e-6;
@@ -280,9 +280,9 @@ double slip_in_housing(double OperatingPoint::*rotating, double load) {
   return system::run_to_steady_state(bearing, point, test::reducer_parameters(), options).orbit_slip();
 }
 
-// Centrifugal force holds unloaded rollers to the outer race. Where that race stands they brake the cage,
-// where it turns they carry the cage along; a load that presses enough rollers on the inner race holds it to
-// pure rolling.
+// Centrifugal force holds unloaded rollers to the outer race. If that race is stationary they brake the cage,
+// if it rotates they drive the cage; a load that presses enough rollers on the inner race holds it to pure
+// rolling.
 TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
   constexpr double kRolling =
       0.02;  // pockets and clearance let the cage gain or lose about their share of the pitch

@@ -44,7 +44,8 @@ InclinedPlanet planet_on(const Bearing& bearing, const PlanetRows& rows, double 
 
 const PlanetLoad kLoad{.force = {900.0, 2600.0}, .axial = 120.0, .moment = {14.0, -5.0}};
 
-// The geometry once more: rows stand at the middles of their rollers, lines of contact lean by the angle.
+// The geometry once more: rows are at the middles of their rollers, lines of contact are inclined by the
+// angle.
 std::vector<reference::LaminaRoller> drawn(const InclinedPlanet& planet, const Bearing& bearing,
                                            const PlanetRows& rows, double first) {
   std::vector<reference::LaminaRoller> all;

@@ -29,7 +29,7 @@ class Draws {
     Drawn drawn{.bearing = bearing(), .motion = motion(), .load = {}};
     const Balls& balls = drawn.bearing.balls();
     const double capacity =
-        1e7 * balls.diameter * balls.diameter * balls.count;  // [N]  that of balls at rest
+        1e7 * balls.diameter * balls.diameter * balls.count;  // [N]  that of stationary balls
     drawn.load = load(capacity * std::pow(10.0, between(-5.0, -0.3)), drawn.bearing.pitch_diameter);
     return drawn;
   }

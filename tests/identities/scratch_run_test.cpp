@@ -85,8 +85,8 @@ TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   EXPECT_EQ(bearing::defect::RunUp{}.turned_at(0.123), 0.123);
 }
 
-// As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring
-// follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
+// The requested number of revolutions, the speed of the case at the last of them; the displacement of the
+// ring follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
 TEST(ScratchRun, RunsUpOverTheRevolutionsAskedFor) {
   const ScratchedBearing in = scratched(Scratched::inner);
   Sampling sampling = brief();

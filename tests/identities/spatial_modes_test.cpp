@@ -95,7 +95,7 @@ void expect_like_the_plane(const MovingSet& all, double least_share) {
   }
 }
 
-// Spur gears on bearings that stand alike on both sides: motion in the plane knows nothing of the rest.
+// Spur gears on bearings that are alike on both sides: motion in the plane is decoupled from the rest.
 TEST(SpatialModes, SpurGearsSwingInTheirPlaneAsTheModelOfThePlaneHasIt) {
   MovingSet all = moving(0.0);
   expect_like_the_plane(all, 1.0 - 1e-9);

@@ -273,7 +273,7 @@ TEST(SpatialSet, BackFlanksTouchAfterTheBacklash) {
   const double travel = backlash / std::cos(set.sun.pressure_angle);
   VectorXd position = VectorXd::Zero(30);
   const auto force_at = [&](double tangential) {
-    position[12 + 1] = tangential;  // of the first planet, which stands at angle 0
+    position[12 + 1] = tangential;  // of the first planet, which is at angle 0
     SpatialSet alone = set;
     alone.ring.stiffness = 0.0;
     for (PlanetBearing& bearing : alone.planet_bearings) bearing.radial_stiffness = 0.0;

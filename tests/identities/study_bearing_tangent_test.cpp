@@ -56,7 +56,7 @@ TEST(BearingTangent, CarriesTheMeanLoadAtTheMeanDisplacement) {
   EXPECT_LT((carried - drivetrain.bearings_per_planet * load).norm(), 1e-9 * load.norm());
 }
 
-// A support a thousand times softer than the rollers is all that is felt, its damper too.
+// With a support a thousand times softer than the rollers only the support counts, its damper too.
 TEST(BearingTangent, OnASoftSupportIsThatOfTheSupport) {
   PlanetaryDrivetrain drivetrain = reducer();
   bearing::motion::SupportParameters& support = drivetrain.dynamics.support;

@@ -65,7 +65,7 @@ TEST(CrownOfAPlanet, LeansAsItsPinIsInclined) {
 // lean.
 TEST(CrownOfAPlanet, OnAStiffPinIsOneBearingThatStandsLevel) {
   PlanetaryDrivetrain drivetrain = tilting();
-  drivetrain.bearing.material.youngs_modulus = 206e16;  // Palmgren's dry contacts know none
+  drivetrain.bearing.material.youngs_modulus = 206e16;  // Palmgren's dry contacts have none
   drivetrain.seats.span = 0.0281;
   const CrownProblem planet = problem_of(drivetrain);
   drivetrain.seats.tilt = TiltState::stated;

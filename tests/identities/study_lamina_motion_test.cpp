@@ -9,8 +9,8 @@
 namespace orbearing::study::study_lamina_motion_test {
 namespace {
 
-// Rollers in motion, without what the meshes' vibration adds, live within this as rollers at rest: a load
-// within a per cent and a quarter.
+// Lives of rollers in motion, without the vibration of the meshes, are within this of quasi-static ones: a
+// load within one and a quarter per cent.
 constexpr double kMotion = 0.05;
 
 PlanetaryDrivetrain aligned_gears() {

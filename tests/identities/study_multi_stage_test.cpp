@@ -92,8 +92,9 @@ TEST(MultiStage, OneWithoutANameIsItself) {
   EXPECT_TRUE(one.limiting_set.empty());
 }
 
-// The carrier's own speed, not the motor's, makes the inertial loads: with the ring turning forwards beside
-// the sun the planets stand still in the carrier's frame at w_s = w_r, and the whole set turns as one.
+// The carrier's own speed, not the motor's, determines the inertial loads: with the ring rotating forwards
+// beside the sun the planets are stationary in the carrier's frame at w_s = w_r, and the whole set rotates as
+// one.
 TEST(MultiStage, CarrierFrameTurnsWithItsOwnCarrier) {
   PlanetaryDrivetrain drivetrain = reducer();
   const double ring_speed = 0.5;

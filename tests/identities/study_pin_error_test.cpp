@@ -1,4 +1,4 @@
-// Planets whose pins stand off their places: who carries how much, and that every fidelity says the same.
+// Planets on pins with position errors: their load sharing, and that every fidelity gives the same.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -57,7 +57,7 @@ TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
   EXPECT_NEAR(shares[0], shares[2], kBalance);
   EXPECT_NEAR(shares[1], shares[3], kBalance);
   EXPECT_NEAR(sum(shares), 4.0, kBalance);
-  // The pin that is ahead stands where the teeth push its planet to: they press it less.
+  // The pin that is ahead is where the teeth push its planet to: they press it less.
   EXPECT_LT(shares[0], shares[1] - 0.1);
 }
 
@@ -191,13 +191,13 @@ TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
   EXPECT_NEAR(point.overturning_moment / even.overturning_moment, 1.0, kBalance);
 }
 
-// Gears at mean mesh stiffness, so that motion adds little to rest: loads of every planet as at rest, one way
-// and as one system.
+// Gears at mean mesh stiffness, so that motion adds little to the quasi-static loads: loads of every planet
+// as quasi-static, one way and as one system.
 TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
   constexpr double kMotion = 0.03;  // of a load: what rollers in motion do to the stiffness of the bearings
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   gearset::dynamics::SetParameters gears = drivetrain.gear_set();
-  gears.frame.centrifugal = true;  // planets thrown outward, as at rest
+  gears.frame.centrifugal = true;  // centrifugal loads of planets, as in the quasi-static model
   drivetrain.gear_set = [gears] { return gears; };
   drivetrain.mesh_variation = false;
   drivetrain.drive.speed = 9000.0 * example::rpm;

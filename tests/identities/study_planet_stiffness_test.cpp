@@ -65,7 +65,7 @@ TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
   EXPECT_LT(soft(1, 1), 0.95 * stiff(1, 1));
 }
 
-// A thick rim, on a single narrow bearing: no direction gives way against its force, and all of it is nearly
+// A thick rim, on a single narrow bearing: no direction has a negative compliance, and all of it is nearly
 // rigid.
 TEST(PlanetStiffness, OfAThickRimIsNearlyThatOfItsParts) {
   PlanetaryDrivetrain drivetrain = elastic_reducer();

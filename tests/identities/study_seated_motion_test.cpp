@@ -39,7 +39,7 @@ double load_ratio_in_motion(const system::CoupledSetup& setup) {
   return motion.reaction(0).force.norm() / motion.reaction(1).force.norm();
 }
 
-// At one cage angle of each bearing, where at rest a roller pitch is averaged.
+// At one cage angle of each bearing; the quasi-static result is the mean over a roller pitch.
 constexpr double kOneAngle = 0.02;
 
 TEST(SeatedMotion, BeginsWithTheLoadsAtRest) {

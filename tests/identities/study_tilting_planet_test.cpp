@@ -30,7 +30,7 @@ TEST(TiltingPlanet, OfEqualBearingsOnAStiffPinHasTheLifeOfStatedTiltZero) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.span = 0.0281;  // hardly bends
   PlanetaryDrivetrain stiff = drivetrain;
-  stiff.bearing.material.youngs_modulus = 206e16;  // of the pin; dry contacts of Palmgren know no modulus
+  stiff.bearing.material.youngs_modulus = 206e16;  // of the pin; dry contacts of Palmgren have no modulus
   const PointResult found = evaluate(stiff, derive(stiff));
   drivetrain.seats.tilt = TiltState::stated;
   const PointResult level = evaluate(drivetrain, derive(drivetrain));

@@ -220,9 +220,8 @@ TEST(Together, ComplianceOfAPlanetIsTheSlopeOfItsBalance) {
   }
 }
 
-// Members that keep their axes, so that a pin off its place is between sun and ring alone: by how much it
-// changes the force of its meshes, from the planet's spring of natural frequencies, which knows nothing of
-// the search for shares.
+// Members that keep their axes, so that a pin with an error is between sun and ring alone: the change of its
+// mesh forces from the planet's spring of natural frequencies, which is independent of the search for shares.
 TEST(Together, ElasticPlanetsShareAsTheirSpringsSay) {
   for (const bool rim : {false, true}) {
     PlanetaryDrivetrain drivetrain = reducer_with({.rim = rim});
@@ -276,7 +275,7 @@ TEST(Together, TwistOfTheCarrierIsThatOfAllPlanets) {
   PlanetaryDrivetrain found = reducer_with({.tilt = true}, ahead({0.0, 0.0, 0.0, 0.0}));
   found.seats.carrier_twist = 1e6;
   const PointResult alike = point_of(even), uneven = point_of(found);
-  // Mean over the cage angles, of all planets in place of this one.
+  // Mean over the cage angles, of all planets instead of this one.
   expect_near(uneven.life_hours, alike.life_hours, 2e-3, "life");
   EXPECT_LT((uneven.seats[0].tilt - alike.seats[0].tilt).norm(), 2e-3 * alike.seats[0].tilt.norm());
 }
@@ -302,7 +301,7 @@ TEST(Together, OneOfSeveralSetsSharesAndTiltsAsASingleOne) {
   expect_near(both.sets[0].life_hours, expected.life_hours, kShared, "life in the chain");
 }
 
-// In motion each bearing keeps load, tilt and form of its race at rest.
+// In motion each bearing keeps the quasi-static load, tilt and form of its race.
 TEST(Together, SeatedBearingsHaveTheFormOfTheirPlanet) {
   const PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = true});
   const DrivetrainGeometry geometry = derive(drivetrain);

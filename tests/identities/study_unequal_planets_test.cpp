@@ -97,7 +97,7 @@ TEST(UnequalPlanets, ThatCannotBeAssembledAreRefused) {
             std::string::npos);
 }
 
-// Stated at the places where they stand anyway, planets are the equal ones to the last bit.
+// Stated at their equal positions, planets are the equal ones to the last bit.
 TEST(UnequalPlanets, AtEqualStepsAreEqualPlanets) {
   const PlanetaryDrivetrain stated = placed({0, 29, 58, 87}, 1e8);
   EXPECT_FALSE(stated.uneven_planets);

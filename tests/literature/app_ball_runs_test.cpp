@@ -53,8 +53,8 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within a fifth of the measurement at all speeds, in a shorter run too. Oil that goes round takes
-// less than at rest, and its heat does not grow the fastest.
+// Untuned: within a fifth of the measurement at all speeds, in a shorter run too. Oil that rotates takes less
+// than stationary oil, and its heat does not grow the fastest.
 TEST(Nasa35mm, HeatIsWithinAFifth) {
   const std::pair<const char*, double> measured[] = {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};

@@ -123,7 +123,7 @@ TEST(ScratchedRollers, ABallInThemIsRefused) {
   }
 }
 
-// Balls slip as they leave the load zone: the lines stand where the cage really turns.
+// Balls slip as they leave the load zone: the lines are at the actual cage speed.
 TEST(ScratchVibration, OuterRaceWithAllInMotion) {
   const DefectStudy study = study_in_motion("outer");
   expect_peak(study, "outer race defect", 76.3);

@@ -160,7 +160,7 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   const double steep = outside ? rim.slope(position) : 0.0;
   const double gap = outside ? race_radius + further - distance - a : distance - race_radius - a;
   const Plane touch = roller.position + a * towards_race;
-  // The point of contact stays on the line of centres, which passes along a bore whose form stands in the
+  // The point of contact remains on the line of centres, which passes along a bore whose form is fixed to the
   // carrier.
   const double line_speed = along(roller.velocity - race.velocity, tangent) / distance;
   double closing = along(roller.velocity - race.velocity, towards_race);

@@ -17,8 +17,8 @@ struct Oil {
   double pressure_viscosity;  // [1/Pa]
 };
 
-/// One way in which the bore bends: it stands further out by Re(conj(a) e^(i order phi)), phi the angle from
-/// the carrier's arm.
+/// One wave of the bending bore: its radius is larger by Re(conj(a) e^(i order phi)), phi the angle from the
+/// carrier's arm.
 struct RimWave {
   int order;
   double stiffness, mass, damping;  // [N/m], [kg], [N s/m]

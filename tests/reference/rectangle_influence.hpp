@@ -13,7 +13,7 @@ struct RowGrid {
   int rows = 0;          // [-]  stored ones: 0 to (rows - 1) h
   double spacing = 0.0;  // [m]  h
 
-  /// 1 for the middle row, 2 for the others, which stand for two.
+  /// 1 for the middle row, 2 for the others, which count twice.
   double count(Eigen::Index row) const { return row == 0 ? 1.0 : 2.0; }
 };
 

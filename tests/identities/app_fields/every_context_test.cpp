@@ -188,7 +188,7 @@ struct Subject {
   use::Analysis analysis = use::quasi_static;
 };
 
-// tools/test --full asks for all of them, apart from the other tests.
+// tools/test --full runs all of them, apart from the other tests.
 bool is_full() {
   const char* full = std::getenv("EVERY_CONTEXT");
   return full != nullptr && std::string(full) == "yes";

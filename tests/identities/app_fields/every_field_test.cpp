@@ -179,7 +179,7 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
       return (field.use.by & use::monolithic) != 0 && unless(10, 12);
     case use::ball_run:
       return unless(4, 6);
-    case use::moving_defect:  // balls roll as in a ball's run, and scratches are felt as without mass
+    case use::moving_defect:  // balls roll as in a ball's run, and scratches act as without mass
       return (field.use.by & (use::ball_run | use::defect)) != 0 && unless(1, 6);
     case use::crown:
     case use::planet_stiffness:
@@ -247,7 +247,7 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
                            count.refused, count.warned, count.by_nature);
 }
 
-// Without what must stand beside it, a value has no effect, and that is said.
+// Without the other inputs that it requires, a value has no effect, and that is reported.
 TEST_P(EveryField, WithoutItsConditionIsReported) {
   const ResolvedCase plain = case_of(base(), {});
   int tried = 0;
@@ -272,7 +272,7 @@ TEST_P(EveryField, WithoutItsConditionIsReported) {
 
 INSTANTIATE_TEST_SUITE_P(AllCases, EveryField, testing::ValuesIn(subjects()), subject_name);
 
-// Planets in pairs are a kind of gear train of their own: each of their fields changes a point at rest.
+// Planets in pairs are a kind of gear train of their own: each of their fields changes a quasi-static point.
 TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
   const Base base{"planets_in_pairs", kDrivetrain + kGears + kBearing};
   const std::vector<std::string> pairs{"gearset.teeth.ring=121", "gearset.second_planet.teeth=24"};

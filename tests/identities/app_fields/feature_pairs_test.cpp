@@ -271,7 +271,7 @@ void check_spectrum(Values values) {
   }
 }
 
-// A rim of a stiffer material, and of one four times as stiff: contacts of Palmgren know no modulus.
+// A rim of a stiffer material, and of one four times as stiff: contacts of Palmgren have no modulus.
 void check_rim(const Values& values) {
   double limit = 0.0;  // of a rigid rim, whose teeth and pins have the same modulus
   const auto beyond_rigid = [&](const char* modulus) {
@@ -467,8 +467,8 @@ TEST(TiltsOfAFile, HaveTheirDirections) {
   EXPECT_GT(std::abs(ahead.second), 2.0 * std::abs(ahead.first));
 }
 
-// Three planets so that the last and the first stand closest: which gap is the last one depends on where one
-// begins to count.
+// Three planets of which the last and the first are closest: which gap is the last one depends on where the
+// count begins.
 TEST(GapsOfPlanets, TheLastOneCountsAsTheOthers) {
   const auto refusal = [](const char* angles) -> std::string {
     try {

@@ -94,7 +94,7 @@ TEST(CatalogueLines, OuterRaceDecidesTheDiameterOfTheRollers) {
   EXPECT_DOUBLE_EQ(inside_of(entry).diameter, 8e-3);
 }
 
-// Balls by f_0 in place of C: the diameter whose C_0 for one ball is f_0 D_b^2 [N, mm], then Z to the next
+// Balls by f_0 instead of C: the diameter whose C_0 for one ball is f_0 D_b^2 [N, mm], then Z to the next
 // whole number.
 int balls_by_static_factor(const Entry& entry) {
   constexpr double mm2 = 1e6;
@@ -126,7 +126,7 @@ TEST(CatalogueLines, NumbersOfBallsAreThoseOfTheStaticFactor) {
   EXPECT_GE(alike, all - 4);
 }
 
-// Balls are made in sizes of 1/32 inch up to 1 inch, of which the inference knows nothing.
+// Balls are made in sizes of 1/32 inch up to 1 inch, which the inference does not use.
 TEST(CatalogueLines, BallsOfSmallAngularContactBearingsAreOfSizesInWhichTheyAreMade) {
   constexpr double size = 25.4e-3 / 32.0;
   for (const char* name : {"7204 A", "7204 B", "7204 C", "7005 A", "7005 C", "7205 A", "7205 B", "7205 C",

@@ -34,7 +34,7 @@ std::vector<std::string> all_derived() {
   return all;
 }
 
-// The shipped case without the values that it states in place of these defaults.
+// The shipped case without the values that it states instead of these defaults.
 ResolvedCase left_out(const std::string& file = shipped_path(),
                       const std::vector<std::string>& settings = {}) {
   const std::regex stated(

@@ -79,8 +79,8 @@ TEST(Settings, ReportBadValues) {
 }
 
 TEST(Settings, AreToBlameForWhatTheFileAloneDoesNotHave) {
-  // Keys missing from a replaced block, a ring that no longer fits, a model that does not know the fields.
-  // The file's reasons for values that the option took away are the option's fault as well.
+  // Keys missing from a replaced block, a ring that no longer fits, a model without the fields. The file's
+  // reasons for values that the option removed are attributed to the option as well.
   EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}),
               Each(AnyOf(StartsWith("--set: bearing."), StartsWith("--set: assumed.bearing."))));
   EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}),

@@ -109,7 +109,7 @@ class DecimalComma {
 TEST(Units, AreTheSameUnderADecimalComma) {
   const DecimalComma comma;
   EXPECT_EQ(read_number("74.45").value, 74.45);
-  // Units that no test before has asked for, so that the library reads their definitions now.
+  // Units that no earlier test has read, so that the library reads their definitions now.
   EXPECT_EQ(*read_quantity("2.5 inch", dimension::length).value, 2.5 * 25.4 / 1000.0);
   EXPECT_NEAR(*read_quantity("1.5 lbf", dimension::force).value, 1.5 * 4.4482216152605, 1e-12);
   if (!comma.of_process())

@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// While it lives a limit of the process stands at `most`.
+/// While it exists a limit of the process is `most`.
 class Limit {
  public:
   Limit(int what, rlim_t most) : what_(what) {

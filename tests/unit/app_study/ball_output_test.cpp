@@ -9,7 +9,7 @@
 namespace orbearing::app::ball_output_test {
 namespace {
 
-// All numbers differ, so that none can stand for another.
+// All numbers differ, so that none can be mistaken for another.
 BallStudy distinct_study() {
   BallStudy study;
   study.life_hours = 1.0;

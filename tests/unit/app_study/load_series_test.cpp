@@ -73,7 +73,8 @@ TEST(LoadSeries, BinsKeepTimeTurnsAndDamageHoweverWideTheyAre) {
   EXPECT_GT(binned(series, {8, 8}).spectrum.bins.size(), 20U);
 }
 
-// Life over that of the record for a bearing whose life goes by torque^-p: above 1 it comes out too long.
+// Life divided by that of the record for a bearing whose life is proportional to torque^-p: above 1 it is too
+// long.
 double life_over_that_of_record(const LoadSeries& series, const BinCounts& counts, double kept, double p) {
   double record = 0.0;
   const double duration = series.time.back() - series.time.front();

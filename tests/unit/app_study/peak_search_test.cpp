@@ -76,7 +76,7 @@ double longest_life_of_fine_grid(const Life& life, double from = 1000.0, double 
 
 void expect_bracketed(const std::vector<LivedSpeed>& points, bool in_motion) {
   const std::size_t best = best_position(points);
-  // Speeds are asked for in whole rpm: half of an odd gap is one longer.
+  // Speeds are requested in whole rpm: half of an odd gap is one longer.
   const double widest = peak_resolution(points[best].rpm, in_motion) + 1.0;
   if (best > 0) {
     EXPECT_LE(points[best].rpm - points[best - 1].rpm, widest);

@@ -106,7 +106,7 @@ TEST(PublicInterface, Participants) {
   EXPECT_EQ(Participant::gearset(reducer).time(), 0.0);
 }
 
-// A caller who wants no more ends the computation, and the next request runs as ever.
+// A caller can end the computation by its progress function, and the next request runs as usual.
 TEST(Request, ProgressStopsIt) {
   Request sweep{.command = "sweep", .case_file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", .options = R"({"grid_only": true, "jobs": 1})"};
   std::size_t most = 0;

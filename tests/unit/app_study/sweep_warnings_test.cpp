@@ -12,7 +12,7 @@
 namespace orbearing::app::sweep_warnings_test {
 namespace {
 
-// Rows at 1000, 2000, ... rpm whose one column holds `values`, and what stands in other columns beside it.
+// Rows at 1000, 2000, ... rpm whose one column holds `values`, and values of other columns in `beside`.
 SweepOutcome outcome_of(const std::string& name, const std::vector<double>& values,
                         const std::map<std::string, double>& beside = {}) {
   SweepOutcome outcome;

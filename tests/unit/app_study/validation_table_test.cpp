@@ -117,7 +117,7 @@ TEST(ValidationText, ListsOtherReadingsApart) {
               HasSubstr("2 distinct published values from 1 sources (1 of them trends, 0 that"));
 }
 
-// expected.yaml beside nothing, of one row with these lines in place of or beside the usual ones.
+// expected.yaml without a case beside it, of one row with these lines instead of or besides the usual ones.
 class ExpectedYaml : public testing::Test {
  protected:
   ExpectedFile read(const std::string& lines) {

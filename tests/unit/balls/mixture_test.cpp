@@ -71,8 +71,8 @@ TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   EXPECT_NEAR(speed, cage, 1e-3 * cage);
 }
 
-// A standing wall without bound, about a shaft too thin to stir, or a flow without bound, keeps it at rest:
-// the upper bound of drag.
+// A stationary wall without bound, about a shaft too thin to stir, or a flow without bound, stops it: the
+// upper bound of drag.
 TEST(Mixture, BeforeEndlessWallsOrInEndlessFlowItRests) {
   MixtureNumbers walls = jet(), flow = jet();
   walls.width = 1e9;
@@ -123,8 +123,8 @@ TEST(Mixture, NeverGivesPower) {
   }
 }
 
-// In motion: the heat is what balls, cage and the turning ring pay, and the mixture at rest is the bound of
-// the first two.
+// In motion: the heat is the power of balls, cage and the rotating ring, and the stationary mixture is the
+// bound of the first two.
 TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   RandomBalls random(5);
   for (int draw = 0; draw < 40; ++draw) {

@@ -74,7 +74,8 @@ TEST(SqueezeFilm, HalfOfItWhereTheContactRolls) {
   EXPECT_NEAR(contact.law.load(-gap, 0.0, gap, 10.0, -slow), -expected, 1e-4 * expected);
 }
 
-// Never more than the wedge is taken away where surfaces part, and power is lost in every motion.
+// The squeeze film takes away at most the load of the wedge where surfaces separate, and power is lost in
+// every motion.
 TEST(SqueezeFilm, NeverPullsAndNeverGives) {
   const Contact contact;
   std::mt19937_64 random(7);

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// An affine answer; how many are asked until it is what was expected.
+// An affine answer; number of passes until it is the expected one.
 int passes(QuasiNewton& accelerator, const MatrixXd& law, const VectorXd& offset, int most) {
   VectorXd expected = VectorXd::Zero(offset.size());
   accelerator.begin();
@@ -40,7 +40,7 @@ TEST(QuasiNewton, SolvesAsManyUnknownsAsItHasDifferences) {
   EXPECT_LE(passes(secants, expanding(6), VectorXd::LinSpaced(6, 1.0, 2.0), 50), 8);
 }
 
-// The next window knows the law already.
+// The next window has the law already.
 TEST(QuasiNewton, RemembersWindows) {
   QuasiNewton forgetful(0), mindful(3);
   const MatrixXd law = expanding(6);

@@ -11,7 +11,7 @@
 namespace orbearing::study::crowning::half_space_search_test {
 namespace {
 
-constexpr double kCurve = 1e-2;  // of a life between its nodes: twice what the search asks for at the best
+constexpr double kCurve = 1e-2;  // of a life between its nodes: twice what the search requires at the best
 
 TEST(DropCurve, IsThePolynomialThroughItsNodes) {
   const auto cubic = [](double x) { return 2.0 - x + 3.0 * x * x * x; };

@@ -47,7 +47,7 @@ TEST(JonesBalls, Bearing218AsPrinted) {
   EXPECT_NEAR(1e3 * state.axial / 0.03356346023339357, 1.0, kDigits);
 }
 
-// The races' moment on a ball is the rate of its angular momentum, here by differences in a frame at rest.
+// The races' moment on a ball is the rate of its angular momentum, here by differences in an inertial frame.
 TEST(JonesBalls, TheMomentIsTheRateOfAngularMomentum) {
   const Bearing bearing = bearing_218();
   const BearingGeometry geometry = geometry_of(bearing);
@@ -135,7 +135,7 @@ TEST(JonesBalls, StiffnessIsTheSlopeOfTheForces) {
     }
 }
 
-// Nearly at rest the moving row, through all of its own equations, is the row at rest.
+// At nearly zero speed the moving row, through all of its own equations, is the static row.
 TEST(JonesBalls, AtRestItIsTheStaticRow) {
   const Bearing bearing = bearing_218();
   const RingLoad load{.radial = 4000.0, .axial = 17800.0, .moment = 50.0};
@@ -239,8 +239,9 @@ TEST(JonesBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
   }
 }
 
-// Newton's method alone, from the bearing at rest, finds no balance of a light load on balls that are thrown
-// outward; the path from the centrifugal force alone leads to one, at which the row's own forces close.
+// Newton's method alone, from the stationary bearing, finds no equilibrium of a light load on balls with
+// centrifugal loads; the path from the centrifugal force alone leads to one, at which the row's own forces
+// close.
 TEST(JonesBalls, APathLeadsWhereNewtonStops) {
   const Bearing bearing = bearing_218();
   const RowMotion motion{.speeds = {.outer = 10000.0 * kRpm}};

@@ -136,7 +136,7 @@ TEST(PlanetOnPin, BearingWithMoreClearanceCarriesLess) {
   EXPECT_GT(f, 1.0);
 }
 
-// A pin clamped at one end gives way more at the other: the planet leans after it, and where the meshes hold
+// A pin clamped at one end deflects more at the other: the planet tilts with it, and where the meshes hold
 // its tilt, the bearing at the wall carries more. Springs in series by hand.
 TEST(PlanetOnPin, ClampedPinLoadsTheBearingAtTheWall) {
   const Vector2d load(0.0, 2400.0);

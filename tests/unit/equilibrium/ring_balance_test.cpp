@@ -102,7 +102,7 @@ TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
 }
 
 // One lamina, no clearance: c_L (u cos phi)^(10/9) on the loaded half, summed by hand for four rollers of
-// which one alone is loaded (two stand at a right angle).
+// which one alone is loaded (two are at a right angle).
 TEST(StaticRollers, FourRollersByHand) {
   Bearing in = rollers();
   in.rollers().count = 4;

@@ -92,9 +92,9 @@ TEST(RowGroup, EveryEntryOfTheStiffnessOfThreeRowsIsASlopeOfTheForces) {
   }
 }
 
-// A pair preloaded by spacers on a shaft: at rest the pair of bearing/duplex; at speed balls are thrown
-// outward, inner contact angles grow, and the natural frequencies with them or against them; forces still
-// close.
+// A pair preloaded by spacers on a shaft: at zero speed the pair of bearing/duplex; at speed balls have
+// centrifugal loads, inner contact angles grow, and the natural frequencies with them or against them; forces
+// still close.
 TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
   const duplex::Shaft shaft{.mass = 12.0, .levers = {0.03, 0.03}, .inertia_x = 0.05, .inertia_y = 0.05};
   const duplex::Pair pair{.bearing = angular_balls(),

@@ -79,9 +79,9 @@ TEST(ReynoldsLine, FilmsAreOfSecondOrder) {
   }
 }
 
-// The rolling traction is the first moment of the pressure: small beside the load, and felt where pressure
-// has its spike. In oils without one, order 2; with it the order is 1.4, and the error of the default grid
-// below 1 %.
+// The rolling traction is the first moment of the pressure: small compared with the load, and sensitive where
+// pressure has its spike. In oils without one, order 2; with it the order is 1.4, and the error of the
+// default grid below 1 %.
 TEST(ReynoldsLine, RollingTractionIsOfSecondOrder) {
   struct {
     double material, speed, load;

@@ -25,8 +25,7 @@ const PointFilmCase round_contact = of_groups(2e-11, 5e-7, 1.0);
 const PointFilmCase slender = of_groups(1e-11, 5e-7, 3.0);
 constexpr PointFilmGrid coarse{.along = 64, .across = 64};
 
-// The ratio of axes that is asked for is the one that Hertz's theory gives back: film without load nowhere
-// near.
+// The requested ratio of axes is the one that Hertz's theory returns: film without load nowhere near.
 TEST(ReynoldsPoint, LoadBalancesAndMassIsKeptAlsoWhereOilCavitates) {
   for (const PointFilmCase& contact : {round_contact, slender}) {
     const PointFilm film = solve_point_film(contact, {.along = 128, .across = 128});

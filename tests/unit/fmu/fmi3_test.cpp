@@ -1,4 +1,4 @@
-// The C interface of FMI 3.0: the same model as through FMI 2.0, and what it asks for beyond.
+// The C interface of FMI 3.0: the same model as through FMI 2.0, and its additional requirements.
 #include "coupling/fmu/fmi3.hpp"
 
 #include <gtest/gtest.h>

@@ -48,7 +48,7 @@ class Resources {
   ~Resources() { std::filesystem::remove_all(folder_); }
 
   std::string folder() const { return folder_.string(); }
-  /// As FMI 2.0 wants it.
+  /// As FMI 2.0 requires it.
   std::string uri() const {
     std::string uri = "file://";
     for (const char c : folder_.string()) uri += c == ' ' ? std::string("%20") : std::string(1, c);

@@ -298,7 +298,7 @@ TEST(RollerFriction, InletsEndWhereTheOilOfTheMixtureEnds) {
   EXPECT_LT(ended.idle / flooded.idle, (ended.rolling - ended.idle) / (flooded.rolling - flooded.idle));
 }
 
-// The mixture of rollers is carried round as that of balls: less drag than in one at rest.
+// The mixture of rollers rotates as that of balls: less drag than in a stationary one.
 TEST(RollerFriction, DragIsBelowThatOfAMixtureAtRest) {
   const Bearing bearing = example_bearings::planet_bearing();
   const BearingGeometry g = geometry_of(bearing);

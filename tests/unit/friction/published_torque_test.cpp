@@ -76,7 +76,8 @@ TEST(SkfTorque, OfARollerBearingByHand) {
   EXPECT_LT(torque.boundary_share, 1e-10);
 }
 
-// A trace of axial load changes nothing of the rolling part; at rest the boundary carries all: mu = 0.15.
+// A trace of axial load changes nothing of the rolling part; at zero speed the boundary carries all: mu =
+// 0.15.
 TEST(SkfTorque, HasItsLimits) {
   const SkfTorque radial = skf_torque(ball_bearing(), at(5000.0, 12.0, 500.0)),
                   traced = skf_torque(ball_bearing(), at(5000.0, 12.0, 500.0, 1e-6));

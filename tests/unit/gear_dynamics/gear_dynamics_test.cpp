@@ -143,8 +143,8 @@ TEST(Modes, LeaveHeldFreedomsOut) {
   EXPECT_EQ(count, 18 - 3);
 }
 
-// Towards rest the frequencies at speed become those at rest; a slow carrier moves them by less than it
-// turns.
+// At decreasing speed the frequencies tend to those without rotation; a slow carrier changes them by less
+// than its own speed.
 TEST(Modes, AtASlowSpeedAreThoseAtRest) {
   Operation operation;
   operation.speeds.carrier = 1.0;

@@ -114,8 +114,7 @@ TEST(ParallelStage, SeveralInFrontFollowEachOther) {
   EXPECT_NEAR(flow.sets[0].torque.sun * sun, 1.0, 10.0 * round_off);
 }
 
-// Whose order they have, on which side of the set they stand and how many there are: the ratio is the
-// product.
+// Whatever the order, the side of the set and the number of stages: the ratio is the product.
 TEST(ParallelStage, OrderDoesNotChangeTheOverallRatio) {
   const PlanetarySet set = reducer();
   const std::vector<StageTeeth> stages{{20, 63}, {88, 22}, {31, 30}, {40, 40}};

@@ -172,9 +172,8 @@ TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
   EXPECT_GE(pair_tooth_warnings(set, second).size(), 1U);
 }
 
-// Six pairs: a first planet stands 60 - 40.54 degrees from the second one of the pair before, 23 mm apart;
-// tips have radii of 22 and 23 mm, m (z/2 + 1). First planets, 50 mm apart, and second ones, 63 mm, have
-// room.
+// Six pairs: a first planet is 60 - 40.54 degrees from the second one of the previous pair, 23 mm apart; tips
+// have radii of 22 and 23 mm, m (z/2 + 1). First planets, 50 mm apart, and second ones, 63 mm, have room.
 TEST(PlanetPair, UnlikePlanetsOfNeighboursNeedRoom) {
   PlanetarySet set = paired_set();
   set.planets = 6;

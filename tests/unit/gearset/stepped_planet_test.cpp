@@ -86,7 +86,7 @@ TEST(SteppedPlanet, IsInBalance) {
                 1.0, round_off);
     EXPECT_NEAR(loads.tangential_force * set.planets * g.centre_distance / -loads.carrier_torque, 1.0,
                 round_off);
-    // Gears of 20 and 30 mm, 40 mm apart, reach from -10 to 55 mm: their middles stand at -22.5 and 17.5 mm.
+    // Gears of 20 and 30 mm, 40 mm apart, reach from -10 to 55 mm: their middles are at -22.5 and 17.5 mm.
     const GearPlanes planes = gear_planes(set);
     EXPECT_NEAR(planes.sun, -22.5e-3, 1e-15);
     EXPECT_NEAR(planes.ring, 17.5e-3, 1e-15);

@@ -11,7 +11,7 @@
 namespace orbearing::integration::rosenbrock_test {
 namespace {
 
-constexpr std::size_t kLanes = 8;  // the stepper asks for multiples of eight
+constexpr std::size_t kLanes = 8;  // the stepper requires multiples of eight
 using State = Rosenbrock2::state_type;
 
 // x' = -2 t x^2: x = 1 / (c + t^2) with 1/c at the start. Neither linear nor free of time.

@@ -119,9 +119,9 @@ TEST(Damage, GoesWithTheSpeedOfTheCage) {
   EXPECT_NEAR(life.outer, rolling.outer / passed, kRoundOff * rolling.outer);
 }
 
-// Rollers that go slower where they are loaded stand closer there. As many pass each bin of the pin as any
-// other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes
-// 2 pi / (c sqrt(1 - e^2)).
+// Rollers that are slower where they are loaded are closer there. As many pass each bin of the pin as any
+// other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes 2
+// pi / (c sqrt(1 - e^2)).
 TEST(Damage, CountsRollersThatStandCloser) {
   constexpr double kUneven = 0.05;
   const double c = 1.02 * rolling_speed();
@@ -144,7 +144,7 @@ TEST(Damage, CountsRollersThatStandCloser) {
   EXPECT_NEAR(bore.mean(), all, 1e-8);
 }
 
-// A bearing of `n` laminae whose rollers stand at rest at their bins for equal times, under a load that the
+// A bearing of `n` laminae whose rollers are stationary at their bins for equal times, under a load that the
 // damping has doubled.
 DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double end_displacement) {
   DamageSums sums(kBins, n);

@@ -121,8 +121,8 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
   EXPECT_NEAR(life.bearing, both, both * kRoundOff);
 }
 
-// A load that stands on a housing while the shaft turns: the exponents of both means change places, 4 and
-// 4.5, and the capacities stay.
+// A load that is fixed to a housing while the shaft rotates: the exponents of both means are interchanged, 4
+// and 4.5, and the capacities stay.
 TEST(BearingLife, SwapsNothingButTheExponentsWhereTheOtherRaceTurns) {
   Bearing bearing = simple_bearing();
   bearing.motions = rating::rotating(Race::inner);

@@ -19,7 +19,7 @@ const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
 constexpr double kRoundOff = 1e-12;
 constexpr double kSumsOfPowers = 1e-10;
 
-// Loads of the fifteen rollers of a planet bearing [N]; the inner race stands, the outer one rotates.
+// Loads of the fifteen rollers of a planet bearing [N]; the inner race is stationary, the outer one rotates.
 const Eigen::ArrayXd kInner{{820, 700, 420, 90, 0, 0, 0, 0, 0, 0, 0, 0, 90, 420, 700}};
 const Eigen::ArrayXd kOuter{{860, 740, 450, 110, 0, 0, 0, 0, 0, 0, 0, 0, 110, 450, 740}};
 
@@ -93,7 +93,7 @@ TEST(RatingLives, OfABallBearingByHand) {
               lives.modified_reference.outer * kRoundOff);
 }
 
-// Contacts that are not cut carry evenly: as thirty laminae that carry alike, at rest and over a motion.
+// Contacts that are not cut carry evenly: as thirty laminae with equal loads, static and over a motion.
 TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   const Bearing whole = example_bearings::planet_bearing();
   Bearing cut = whole;
@@ -115,7 +115,7 @@ TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   EXPECT_NEAR(of_whole.reference.bearing / thirty.reference.bearing, 1.0, kSumsOfPowers);
 }
 
-// Loads that do not vary at any position: the means of a motion are those of the bearing at rest.
+// Loads that do not vary at any position: the means of a motion are those of the static bearing.
 TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 12;

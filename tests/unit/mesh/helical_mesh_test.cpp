@@ -21,7 +21,7 @@ GearPair helical_pair(int first, int second, double helix, double face_width = 2
   return pair;
 }
 
-// Face width at which the overlap ratio is as asked.
+// Face width for the overlap ratio `overlap`.
 double width_for(double overlap, double module, double helix) {
   return overlap * pi * module / std::sin(helix);
 }
@@ -76,7 +76,7 @@ TEST(HelicalMesh, GoesToTheSpurMesh) {
     const MeshStiffness slight = mesh_stiffness(meshing(helical_pair(62, 62, helix)));
     EXPECT_NEAR(slight.contact_ratio / spur.contact_ratio, 1.0, 1e-9);
     EXPECT_NEAR(slight.curve.mean() / spur.curve.mean(), 1.0, 1e-9) << helix;
-    for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.95})  // away from the ramps in place of the jumps
+    for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.95})  // away from the ramps instead of the jumps
       EXPECT_NEAR(slight.curve.value(fraction) / spur.curve.value(fraction), 1.0, 1e-9) << helix;
   }
 }
@@ -127,8 +127,8 @@ TEST(HelicalMesh, HasTheHertzianLineOfItsNormalSection) {
               hertz_compliance(line, {}) / std::pow(std::cos(base), 2), 1e-18);
 }
 
-// The standard knows no bore and means gears of one piece; a bore changes the stiffness of both in the same
-// way at any helix. Half the root circle is the default of a sun.
+// The standard has no bore and means gears of one piece; a bore changes the stiffness of both in the same way
+// at any helix. Half the root circle is the default of a sun.
 constexpr double kBore = 0.5;
 
 // The mean against ISO 6336 with helix within 10 %.

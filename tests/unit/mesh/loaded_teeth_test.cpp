@@ -148,7 +148,7 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
     }
 }
 
-// Against a search that knows nothing of the law: of all deflections of the teeth the one of least energy.
+// Against a search that is independent of the law: of all deflections of the teeth the one of least energy.
 TEST(LoadedTeeth, EnergyIsTheLeastOneOfAllDeflections) {
   const LoadedTeeth teeth = tooth_pairs(meshing(example_pair(62, 62)), modified(), 5).teeth;
   for (const double position : {0.1, 0.5, 0.95})
@@ -215,7 +215,7 @@ TEST(LoadedTeeth, CountTheBodiesOnceForAllPairs) {
   EXPECT_NEAR(most_sun, 0.03, 0.015);
 }
 
-// A ring sheared between its edges, by quadrature in place of the closed form.
+// A ring sheared between its edges, by quadrature instead of the closed form.
 TEST(LoadedTeeth, TorsionOfABodyIsThatOfAShearedRing) {
   for (const MeshGear& gear : {meshing(example_pair(62, 62)).first, meshes_of(reducer()).ring_gears.first}) {
     const double base = base_radius(gear), width = gear.face_width, modulus = gear.material.shear_modulus();

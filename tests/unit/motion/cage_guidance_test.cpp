@@ -111,8 +111,8 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
   }
 }
 
-// As printed the film knows neither whirl nor squeeze: right for a cage that stays where it is, wrong for one
-// that moves.
+// As printed the film has neither whirl nor squeeze: right for a cage with a fixed centre, wrong for a moving
+// one.
 TEST(CageGuidance, PrintedFilmAgreesForACageAtRestAndMissesWhirl) {
   const LandLaw published = land(GuidanceFilm::literature_variant);
   const Vector2 position(0.3 * published.clearance, 0.4 * published.clearance);

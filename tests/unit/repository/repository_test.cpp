@@ -45,7 +45,7 @@ TEST(Repository, FoldersExplainThemselves) {
   }
 }
 
-// ctest runs them by file: what stands elsewhere, in a header say, would never run.
+// ctest runs them by file: a test elsewhere, in a header say, would never run.
 TEST(Repository, EveryTestStandsInAFileThatCtestRuns) {
   static const std::regex file(R"(.*/tests/(unit|identities|literature|regression)/.*_test\.cpp)");
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();

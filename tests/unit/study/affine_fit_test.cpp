@@ -109,7 +109,7 @@ TEST(AffineFit, DoesNotTakeTheBoresMassForTheBearing) {
   EXPECT_GT((over * square.inverse() - law.stiffness).norm(), 4.0 * left * law.stiffness.norm());
 }
 
-// Motion along a line says nothing of forces under motion across it: what was expected stands.
+// Motion along a line gives no information on forces under motion across it: the expected law remains.
 TEST(AffineFit, KeepsWhatIsExpectedWhereNothingMoves) {
   AffineFit fit(kMeshFrequency, 1);
   const AffineBearing law = planted_law();

@@ -159,7 +159,7 @@ TEST(RunToSteadyState, KeepsToOneInterval) {
   EXPECT_TRUE(run.completed && run.steady) << run.message;
   EXPECT_EQ(run.windows.size(), 2u);
   EXPECT_EQ(run.report.steps, 7);
-  // Every fifth of ten samples where nothing but the steady state is asked, or means of states.
+  // Every fifth of ten samples where only the steady state, or means of states, are requested.
   const std::vector<int> shown{5, 10, 15, 20, 25, 30, 35, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
   ASSERT_EQ(motion.times.size(), shown.size());
   const double interval = sample_interval({kCageSpeed, 1.0}, kShortRun);
