@@ -99,14 +99,14 @@ const Exception exceptions[] = {
      use::quasi_static | use::crown | use::gears},
     {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
     {{"film.inlet_heating"}, use::fmu_bearing},
-    // Rows of other bearings than cylindrical ones are modelled only at rest.
+    // Rows of other bearings than cylindrical ones are modelled only quasi-static.
     {{"bearing.rows.contact_angle", "bearing.rows.arrangement", "bearing.rows.distance",
       "bearing.rows.preload", "bearing.rows.approach", "bearing.balls", "bearing.ball_diameter"},
      but_at_rest},
     // Contacts and oil of the whole motion have damping and steps of their own.
     {{"contact.damping_ratio", "contact.damping_model", "signal.length_error"}, 0, use::moving_defect},
     {{"simulation.load_error_share"}, 0, 0, use::fmu_bearing},  // whose loads are not known before
-    // Two gears on a planet, and planets in pairs, are modelled only at rest.
+    // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
     {{"gearset.stepped_planet.teeth", "gearset.stepped_planet.module", "gearset.stepped_planet.profile_shift",
       "gearset.stepped_planet.face_width", "gearset.stepped_planet.offset", "gearset.second_planet.teeth",
       "gearset.second_planet.first_profile_shift", "gearset.second_planet.profile_shift",
@@ -145,8 +145,8 @@ Use with_pins(const Use& use, std::string_view path) {
 }
 
 Use with_meshes(Use use, std::string_view path) {
-  // Compliance under the planets and its inputs: it has an effect at rest too where planets carry unequal
-  // loads, since it then determines the load sharing.
+  // Compliance under the planets and its inputs: it affects quasi-static results too where planets carry
+  // unequal loads, since it then determines the load sharing.
   if (makes_meshes(path) ||
       is_one_of(path,
                 {"bearing.bore", "numerics.cage_positions", "support.stiffness", "gearset.dynamics.sun.mass",
@@ -340,7 +340,7 @@ Use with_friction_and_heat(Use use, std::string_view path) {
   if (path == "heat.viscosity_slope")
     return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
   // Friction formulas of other sources for a single bearing use its boundary dimensions, and its density
-  // where rollers rotate; oil and heat of a roller bearing at rest affect its friction.
+  // where rollers rotate; oil and heat of a quasi-static roller bearing affect its friction.
   if (is_one_of(path, {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density",
                        "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
     return use.used_too(use::static_load, where_others_know_friction());

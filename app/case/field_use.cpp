@@ -37,7 +37,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }
-  // Planets with a computed tilt at rest, which the bearings keep in motion.
+  // Planets with a computed quasi-static tilt, which the bearings keep in motion.
   const bool computed_tilt =
       path.starts_with("support.pin_") ||
       is_one_of(path, {"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences",
@@ -61,7 +61,7 @@ bool links_rows(std::string_view path) {
 
 namespace {
 
-// Inputs of natural frequencies or of points at rest that the carrier as a body leaves out: rotation and
+// Inputs of natural frequencies or of quasi-static points that the carrier as a body leaves out: rotation and
 // supports of members in their planes, tilts that it computes itself, and inputs of lives.
 bool is_left_out_of_carrier(std::string_view path) {
   const bool rotation = path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness");

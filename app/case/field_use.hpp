@@ -95,7 +95,7 @@ Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
 Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view set), std::string text);
-/// Pins with position errors: loads at rest then depend on the compliance under the planets.
+/// Pins with position errors: quasi-static loads then depend on the compliance under the planets.
 Condition where_planets_carry_unlike_loads();
 /// Pins that one wall of the carrier holds; they have an effect where tilts are computed. Only a flexpin has
 /// a diameter of its own.
@@ -131,19 +131,19 @@ struct Use {
 
 /// With the scratched planet bearing: it is moved as by monolithic, and has no life.
 Use with_planet_defect(const Use& use, std::string_view path);
-/// With the carrier as a body: it uses the inputs of natural frequencies at rest and of points at rest,
-/// except moments of inertia, supports of members in their planes and stated tilts of the planets; positions
-/// of bearings and backlash have an effect too.
+/// With the carrier as a body: it uses the inputs of natural frequencies and of quasi-static points, except
+/// moments of inertia, supports of members in their planes and stated tilts of the planets; positions of
+/// bearings and backlash have an effect too.
 Use with_carrier_body(Use use, std::string_view path);
-/// Points at rest, and natural frequencies, model the carrier as a body where a case states its bearings:
-/// uses as by with_carrier_body().
+/// Quasi-static points, and natural frequencies, model the carrier as a body where a case states its
+/// bearings: uses as by with_carrier_body().
 Use with_carrier_beside(const Use& use, std::string_view path);
 
 /// Condition of a row on another input.
 Condition condition_of(const described::Where& where);
 
-/// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
-/// used, but for those that cannot take it.
+/// Uses of a field whose row is beside its member: by the analyses that include its physics, except those
+/// that cannot use it.
 Use use_of(const described::Facts& facts);
 
 }  // namespace orbearing::app

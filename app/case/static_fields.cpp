@@ -134,7 +134,7 @@ void add_life(std::vector<Field>& fields) {
       "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule "
       "of thumb [SKFMinimumLoad]: 0.02 for roller bearings, 0.01 for ball bearings",
       by_planets.when(where_given({kSpectrumPath})), positive(1.0));
-  // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it in any case.
+  // a_1 is in L10m and L10mr, which require an oil; a quasi-static bearing under a load shows it in any case.
   rows.number("life.reliability", "reliability: share of bearings that reach the life",
               by_life.when(where_oil_is_stated())
                   .used_too(use::static_load,

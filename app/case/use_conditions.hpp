@@ -27,8 +27,8 @@ bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set);
 bool carrier_rotates(const ResolvedCase& in, std::string_view set);
 /// The same, and the masses that it takes round are pulled outward.
 bool carrier_pulls(const ResolvedCase& in, std::string_view set);
-/// Whether the planet's own properties affect a bearing at rest: by its mass, or since it bends, tilts or is
-/// pressed on a seat.
+/// Whether the planet's own properties affect a quasi-static bearing: by its mass, or since it bends, tilts
+/// or is pressed on a seat.
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set);
 /// Whether the carrier of a single set is a body in three dimensions: its bearings are stated, the housing
 /// holds the ring, and rims do not link the springs of a planet.

@@ -575,7 +575,7 @@ int parse_and_run(int argc, char** argv) {
 
 // Flushes the output: a full disk is reported here and not by the print functions.
 void require_printed() {
-  // First of all, since the stream of the standard library flushes it too and tells no reason.
+  // First of all, since the stream of the standard library flushes it too and gives no reason.
   errno = 0;
   const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   const int error = whole ? 0 : errno;

@@ -72,7 +72,7 @@ struct Options {
   std::vector<std::string> by{};               // sensitivities: inputs; none: all
   std::vector<std::string> over{}, results{};  // table: PATH=FROM..TO; columns
   double bound = 0.01;                         // table: error at which a cell is finished
-  int points = 0;                              // table: at most; 0: the default at rest
+  int points = 0;                              // table: at most; 0: the quasi-static default
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.

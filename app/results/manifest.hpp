@@ -64,7 +64,7 @@ TableHead head_of(const ManifestHeader& header);
 std::string point_file_name(std::size_t point);
 
 struct ManifestEntry {
-  std::string file;      // point_file_name of the point; of a table at rest empty: it has none
+  std::string file;      // point_file_name of the point; empty for a quasi-static table, which has none
   std::string checksum;  // of the file's bytes
   ResultRow row;
   std::map<std::string, std::string> others{};  // further files of the result, by name: check sums

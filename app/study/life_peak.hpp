@@ -32,7 +32,7 @@ double peak_resolution(double rpm, bool in_motion);
 
 /// The speeds [rpm] to be computed next, ascending, when those of `done` are (ascending; in one line of a
 /// sweep). None where the peak is known: the longest life has a neighbour within `peak_resolution` on each
-/// side, or stands at an end of the range; and no stretch is left unseen in which a curve with resonances
+/// side, or is at an end of the range; and no unresolved interval remains in which a curve with resonances
 /// could rise above it (docs/peak.md). Depends on its arguments alone; never leaves the range of `done`.
 std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search);
 
