@@ -51,7 +51,7 @@ read = [[float(np.asarray(ours[0].K(w))[0, 0]) for w in at], [float(np.asarray(o
 theirs = [ross.BallBearingElement(n=n, n_balls=balls, d_balls=diameter, fs=load, alpha=math.radians(angle)) for n in (0, 12)]
 stiff = [ross.BearingElement(n=n, kxx=1e15, cxx=0) for n in (0, 12)]
 k = np.asarray(theirs[0].K(0))
-# For the tables alone: release 3 warns of fewer than five points.
+# Of the tables alone: release 3 warns of fewer than five points.
 few = [str(one.message) for one in told if "point" in str(one.message) and ("few" in str(one.message) or "5" in str(one.message))]
 print(json.dumps({"few": few, "read": read, "ours": criticals(ours), "theirs": criticals(theirs), "rigid": criticals(stiff),
                   "ross": [float(k[0, 0]), float(k[1, 1])],
