@@ -105,7 +105,7 @@ Arrangement one(const ResolvedCase& resolved) {
   return arrangement;
 }
 
-// Whether every word of every shaft means something, once; objects to those that do not.
+// Whether every word of every shaft is valid and unique; adds mistakes for the others.
 bool check_words(CheckedCase& resolved) {
   const std::size_t before = resolved.mistakes.size();
   for (const std::string& name : resolved.shape().shafts) {

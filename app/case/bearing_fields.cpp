@@ -38,7 +38,7 @@ void add_profile(std::vector<Field>& fields) {
   const Use depth = with_laminae(Use(but_crown, use::crown | gears_alone));  // crown varies it
   const Use table = with_laminae(Use(but_crown, gears_alone)).when(where(kKind, {"table"}));
   const auto of_kind = [&](const char* kind) { return profile.when(where(kKind, {kind})); };
-  // Its depth may be scaled: what the end and the load make of each other is the shape.
+  // Its depth may be scaled: the shape is determined by the end and the load.
   const std::vector<Condition> shape_beside_end_drop{where(kKind, {"fujiwara-kawase"}),
                                                      where_given({"bearing.profile.end_drop"})};
   // Its load follows from the drop, where none is stated.

@@ -176,7 +176,7 @@ std::string newtons(double force) {
   return fmt::format("{:g} N", force);
 }
 
-// Exponent of a rating of rollers over their number, all else alike: C of [ISO281], C_0 of [ISO76], and C_u,
+// Exponent of a rating of rollers over their number, all else equal: C of [ISO281], C_0 of [ISO76], and C_u,
 // which is proportional to C_0.
 double exponent_of_number(std::string_view rating) {
   return rating == catalogue_keys::kDynamic ? 0.75 : 1.0;
@@ -231,10 +231,10 @@ class CatalogueCase {
     entry_ = name == nullptr ? nullptr : line_of(find(catalogue_keys::kCatalogue), name->given);
     if (entry_ == nullptr) return;
     const bool rollers = catalogue::has_rollers(entry_->family);
-    if (rollers != ((model_ & with_rollers) != 0)) return;  // check_catalogue_bearing() says it
+    if (rollers != ((model_ & with_rollers) != 0)) return;  // reported by check_catalogue_bearing()
     try {
       fill_inside(known_inside(*entry_), name->given);
-    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
     }
   }
 
@@ -385,7 +385,7 @@ class CatalogueCase {
                       per_micro * range.least, per_micro * range.most));
       put_default(catalogue_keys::kState, "unmounted",
                   "default: a clearance class is for an unmounted bearing");
-    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
     }
   }
 
@@ -399,7 +399,7 @@ class CatalogueCase {
         put(seat.interference, fmt::format("{:g} um", per_micro * range.middle()),
             fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
                         per_micro * range.least, per_micro * range.most));
-      } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+      } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
       }
     }
   }

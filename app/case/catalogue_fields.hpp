@@ -1,4 +1,4 @@
-// Names of the inputs by which a bearing is bought, and of those that follow from them.
+// Names of the inputs of a catalogue bearing, and of those that follow from them.
 #pragma once
 
 #include <string>

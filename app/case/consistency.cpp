@@ -266,7 +266,7 @@ void check_one_set(CheckedCase& in) {
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
 
-// Each set as a case of its own, what is said of it under its name; then what joins them.
+// Each set as a case of its own, with its mistakes under its name; then the parts that join them.
 void check_multi_stage(CheckedCase& in) {
   for (const std::string& set : in.shape().sets) {
     std::vector<Mistake> of_set;

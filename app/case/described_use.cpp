@@ -59,7 +59,7 @@ unsigned leaving_out(described::Physics physics) {
   return physics == load_sharing || physics == positions ? use::crown | use::planet_stiffness : 0u;
 }
 
-// How single parameters differ from what their physics says.
+// Differences of single parameters from their physics.
 struct Exception {
   std::initializer_list<std::string_view> paths;
   unsigned refused_by = 0;       // analyses that ought to take them and cannot
@@ -89,7 +89,7 @@ const Exception exceptions[] = {
       "support.pin_inclination.radial", "support.pin_inclination.tangential"},
      no_tilt,
      use::bearings_as_springs},
-    // Stops hold planets and sun under a load; their stiffness counts in small vibration alone.
+    // Stops hold planets and sun under a load; their stiffness affects only small vibration.
     {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
     {{"load.tilt"}, use::ball_run},
     // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
@@ -156,7 +156,7 @@ Use with_meshes(Use use, std::string_view path) {
                  "gearset.dynamics.planet.mass", "gearset.dynamics.backlash", "gearset.dynamics.separation",
                  "gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"}))
     use = use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads());
-  // Length and form of a relief count where there is one.
+  // Length and form of a relief have an effect where there is one.
   if (is_one_of(path, {"gearset.tip_relief.length", "gearset.tip_relief.form"}))
     return use.when(
         where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
@@ -179,7 +179,7 @@ Use with_stiffness(const Use& use, std::string_view path) {
       .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
 }
 
-// The mass of balls counts, and the film under them, where a ring turns.
+// The mass of balls, and the film under them, have an effect where a ring rotates.
 Use with_rotating_rings(const Use& use, const described::Facts& facts) {
   Condition rotating = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.physics == described::Physics::rotating_balls) return use.when(rotating);
@@ -305,8 +305,8 @@ Use with_held_members(const Use& use, std::string_view path) {
                                     where_given({std::string(block) + member + ".torsional_stiffness"})});
 }
 
-// A parameter counts only there. A set without teeth has no loads to share. Of several sets none has a driven
-// member of its own, but all share the power.
+// Conditions of single parameters. A set without teeth has no loads to share. With several sets none has a
+// driven member of its own, but all share the power.
 Use with_own_condition(const Use& use, const described::Facts& facts) {
   described::Where only = facts.details.where;
   if (facts.physics == described::Physics::load_sharing) only = {.path = "input.power"};
@@ -375,7 +375,7 @@ Use with_moving_pin(const Use& use, std::string_view path) {
                       where_true(pin_is_race, "where bearing.rings is outer or none"));
 }
 
-// Fields of unlike physics, of which each hangs on other choices.
+// Fields of different physics, each of which depends on other choices.
 Use with_other_ways(Use use, std::string_view path) {
   const auto at_steady_speed = [&](const Use& any) {
     return any.limited(use::dynamic | use::dynamic_of_sets,

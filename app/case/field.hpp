@@ -32,7 +32,7 @@ struct ListColumn {
   Dimension dimension{};  // none: a plain number
   Range range{};
   int one_of = 0;  // of the columns with this number, if above 0, a row has one; the others read 0
-  std::string_view unit_of_number{};  // unit of a number without one, where the name says it; none: refused
+  std::string_view unit_of_number{};  // unit of a number without one, if the name has it; none: refused
   bool text = false;      // holds texts: a row's number is that of its text in FieldValue::texts, from 1
   bool optional = false;  // a row may be without it and reads 0 then
 };
@@ -131,7 +131,7 @@ struct FieldReading {
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
 
-/// The same for a number of the program [SI], written as `text`; none: as a case says it in SI. Numeric
+/// The same for a number of the program [SI], written as `text`; none: as a case states it in SI. Numeric
 /// fields only.
 FieldReading read_field_number(const Field& field, double value, std::string text = "");
 

@@ -1,5 +1,5 @@
-// Who uses a field of a case: each command, rung of the fidelity ladder and export. Every row of the table of
-// fields says so; what is given and not used is refused or warned of from here.
+// Uses of a field of a case: by each command, fidelity and export. Every row of the table of fields states
+// them; inputs that are given and not used are refused or warned of from here.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +84,7 @@ struct Condition {
   std::string text{};  // of that: "it counts only where ..."
 };
 
-/// Analyses that use a field where all conditions hold, whatever its row says besides.
+/// Analyses that use a field where all conditions hold, besides the other uses of its row.
 struct Way {
   unsigned by = 0;
   std::vector<Condition> conditions{};
@@ -107,8 +107,8 @@ bool links_rows(std::string_view path);
 /// Gears on springs that follow from their bearings.
 Condition where_bearings_make_springs();
 
-/// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
-/// named nowhere in the row warns of a value that is given and neither the default nor zero.
+/// Uses of a field. There is no default: a row without it does not compile. An analysis that is named nowhere
+/// in the row warns of a value that is given and neither the default nor zero.
 struct Use {
   Use(unsigned used_by, unsigned not_modelled, unsigned refused = 0)
       : by(used_by), not_modelled_by(not_modelled), refused_by(refused) {}

@@ -33,7 +33,7 @@ inline constexpr std::array<std::string_view, 2> kViscosityPaths{"life.viscosity
 /// The grade of an oil whose viscosities at 40 and 100 degC the case states.
 inline constexpr const char* kStatedGrade = "stated";
 
-/// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
+/// Density of the oil [kg/m^3]: the stated one where it has an effect, else that of a mineral oil.
 double oil_density(const ResolvedCase& resolved);
 
 /// The oil that `lubricant.grade` names, or of which lubricant.viscosity_40 and viscosity_100 state the

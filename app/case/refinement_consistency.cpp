@@ -81,7 +81,7 @@ void check_tilt(CheckedCase& in) {
                       fmt::format("one for each of the {} bearings of a planet is required", bearings));
 }
 
-// Planets with two gears, or in pairs, are spur gears on rigid bodies whose bearings carry alike.
+// Planets with two gears, or in pairs, are spur gears on rigid bodies whose bearings carry equal loads.
 void check_plain_planets(CheckedCase& in, const char* teeth, const std::string& planets,
                          const std::string& alike) {
   const auto object_to = [&](const std::string& other, const std::string& required) {

@@ -23,7 +23,7 @@ inline const std::string kSpeedPath = "input.speed";
 inline const std::string kSpeedOfPath = "input.speed_of";
 inline const std::string kPowerPath = "input.power";
 inline const std::string kTorquePath = "input.torque";             // instead of the power
-inline const std::string kTorqueCurvePath = "input.torque_curve";  // likewise
+inline const std::string kTorqueCurvePath = "input.torque_curve";  // instead of the power
 
 /// The speed of the input by its number in the unit of tables.
 Setting input_speed(double rpm);
@@ -164,7 +164,7 @@ class ResolvedCase {
   /// Copy without its sweep: the one operating point that the values state.
   ResolvedCase without_sweep() const;
 
-  /// Equal values, reasons and axes; places do not count.
+  /// Equal values, reasons and axes; locations are not compared.
   bool operator==(const ResolvedCase& other) const;
 
  private:

@@ -100,7 +100,7 @@ class RowsReader {
     return true;
   }
 
-  // A column whose name says the unit may repeat it: hours, hours_h.
+  // A column whose name has the unit may repeat it: hours, hours_h.
   bool takes_unit(const HeaderCell& cell) const {
     const ListColumn* column = column_of(field_, cell.name);
     return column != nullptr && !column->dimension.si.empty();

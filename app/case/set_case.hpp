@@ -16,8 +16,9 @@ namespace orbearing::app {
 /// Whether the case has a list at `path` with a value that is not zero.
 bool is_anywhere_nonzero(const ResolvedCase& resolved, std::string_view path);
 
-/// The path of the value by which planets carry unlike loads: pins off their places, or places at unequal
-/// steps; empty: none does. Of the one set of a case, or of one of several by ResolvedCase::of_set().
+/// The path of the value by which planets carry unequal loads: pins with position errors, or planets at
+/// unequal angles; empty: none does. For the one set of a case, or for one of several by
+/// ResolvedCase::of_set().
 std::string uneven_planets_by(const ResolvedCase& resolved);
 
 /// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a

@@ -146,7 +146,7 @@ Entry read_value(const std::string& path, const std::string& text) {
   if (!takes_any_text(path)) return read_yaml(text);
   const bool is_text =
       first_byte_not_utf8(text) == text.size() && first_control_character(text) == text.size();
-  if (!is_text) return read_yaml(text);                                      // which says so
+  if (!is_text) return read_yaml(text);                                      // which reports it
   if (text.find('\n') != std::string::npos) return make_scalar(text, true);  // lines of a table stay apart
   try {
     Entry entry = read_yaml(text);

@@ -34,7 +34,7 @@ void rename_former_keys(Entry& block, const std::string& prefix = "");
 /// Replacement of one independent value.
 struct Setting {
   std::string path;                // of a list of numbers also "PATH[i]", its element i, counted from 0
-  std::string text;                // as in a case; empty: the number says it
+  std::string text;                // as in a case; empty: the number is used
   std::optional<double> number{};  // [SI] where the text has been read or there is none
 
   auto operator<=>(const Setting&) const = default;

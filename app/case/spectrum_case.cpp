@@ -95,7 +95,7 @@ void fill_from_torque(CaseData& data) {
   const FieldValue& value = data.values.at(*path).value;
   const double at = speed->second.value.number;
   const std::optional<double> torque = *path == kTorquePath ? value.number : torque_at(value.list, at);
-  if (!torque) return;  // check_torque() says so
+  if (!torque) return;  // reported by check_torque()
   const auto power = data.values.find(kPowerPath);
   const double derived = *torque * at;
   if (power != data.values.end() && !power->second.from_default &&

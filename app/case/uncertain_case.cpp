@@ -362,7 +362,7 @@ class UncertainCheck {
     return stated.kind != "class" || stands_as_class(stated);
   }
 
-  // As the clearance by its class: a number without a default that is not stated, and would not count.
+  // As the clearance by its class: a number without a default that is not stated, and would have no effect.
   bool is_given_by_another(const std::string& path) const {
     const Input input{path, find_field(path)};
     return in_.assumed().contains(path) && input.field->default_text.empty() &&

@@ -293,7 +293,7 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   if (text.starts_with("\u2212"))
     return {std::nullopt,
             "it begins with the sign U+2212, a minus of typeset text; the minus of numbers is '-'"};
-  // from_chars would take "inf" and "nan", and "+-3" after the plus is gone.
+  // from_chars would accept "inf" and "nan", and "+-3" after the plus is removed.
   if (magnitude.empty() || !(is_digit(magnitude[0]) || magnitude[0] == '.'))
     return {std::nullopt, "it does not begin with a finite number"};
   double value = 0.0;

@@ -30,7 +30,7 @@ bool has_magnitude(const Field& field) {
          field.kind == Kind::list;
 }
 
-// The default, or zero where the field may be left out: a case that says so says nothing.
+// The default, or zero where the field may be left out: such a statement has no effect.
 bool is_neutral(const ResolvedCase& in, const Input& input) {
   const Field& field = *input.field;
   if (in.origin(input.path) == "default") return true;
@@ -94,7 +94,7 @@ bool counts_itself(const ResolvedCase& in, const Input& input) {
   return first_unmet(in, input) == nullptr || way_that_holds(in, input, ~0u) != nullptr;
 }
 
-// Beside a value that counts itself.
+// The condition holds with another value that has an effect itself.
 bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.absent || condition.holds != nullptr) return holds(in, input, condition);
   if (is_of_other_models(in, condition) && is_of_row(input, condition)) return true;

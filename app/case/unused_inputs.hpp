@@ -13,7 +13,7 @@ namespace orbearing::app {
 enum class UseStatus {
   used,
   neutral,       // the default, or zero where there is none: nothing is lost
-  not_modelled,  // by nature: see Use
+  not_modelled,  // at this fidelity: see Use
   idle,          // one of its conditions does not hold
   unused,        // warned of
   refused

@@ -346,7 +346,7 @@ struct CommandTable {
     CLI::App& sub = *program.add_subcommand(name, purpose);
     sub.add_flag("--json", options.json, "print only the result, as one JSON object");
     sub.add_flag("--quiet", options.quiet, "print errors only");
-    sub.callback([&into = chosen, command] { into = command; });  // the table is gone when this runs
+    sub.callback([&into = chosen, command] { into = command; });  // the table no longer exists when this runs
     return sub;
   }
 };
@@ -559,7 +559,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Not into the streams themselves: they flush, and the reason of a full disk would be gone.
+    // Not into the streams themselves: they flush, and the reason of a full disk would be lost.
     std::ostringstream answer;
     const int code = program.exit(error, answer, answer);
     if (code != 0) {

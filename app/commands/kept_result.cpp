@@ -29,7 +29,7 @@ struct Shown {
   std::string text;
 };
 
-// With rare and impossible values in what was found, and in what speeds and loads say themselves.
+// Adds warnings of rare and impossible values among the results, speeds and loads.
 Shown shown_of(const ResolvedCase& resolved, AnalysisResult& result) {
   Shown shown{json_of(result.record), result.heading + text_of(result.record)};
   std::vector<Observation> observed = observations(resolved);

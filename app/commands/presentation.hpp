@@ -34,7 +34,7 @@ struct PlannedSweep {
 
 /// Plans `request_of` the case: with the windows that keep to the budget, where there is one, and with the
 /// estimated time of its points, which is printed on standard error where it is long. Throws BadInput for a
-/// budget that nothing keeps to.
+/// budget that is too small for any windows.
 PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
                         const std::function<SweepRequest(const ResolvedCase&)>& request_of);
 

@@ -107,7 +107,7 @@ Json printed_result(const Opened& opened, const ResolvedCase& resolved) {
   return fs::exists(file) ? Json::parse(read_file(file)) : Json();
 }
 
-// Those by which `sweep --resume` goes on.
+// Options by which `sweep --resume` continues.
 Json options_of(const ManifestHeader& header) {
   Json options{{"fidelity", header.fidelity}, {"grid_only", !header.refined}};
   if (header.continued) options["continue"] = to_string(*header.continued);
@@ -187,7 +187,7 @@ Json line_of_folder(const fs::path& folder) try {
           {"points", manifest.entries.size()},
           {"of", std::max(manifest.header->own_points(), manifest.entries.size())}};
 } catch (const std::exception&) {
-  return nullptr;  // nothing to go on with
+  return nullptr;  // nothing to continue
 }
 
 }  // namespace

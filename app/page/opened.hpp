@@ -55,7 +55,7 @@ void save(const Opened& opened, const std::string& file, const std::string& text
 /// The lives in what `run --json` prints, as a table of HTML in whole hours; why there are none otherwise.
 std::string lives_table(const Opened& opened, const Json& result);
 
-/// The same in a sentence: `reason` is text of anybody's.
+/// The same in a sentence: `reason` is text of any source.
 std::string no_lives(const std::string& reason);
 
 /// A quantity in another unit: {"value": "3 mm", "unit": "um"} -> {"number": 3000, "text": "3000 um"}.

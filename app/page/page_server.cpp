@@ -153,7 +153,7 @@ void answer_file(Response& response, const std::vector<fs::path>& folders, const
   refuse_with(response, 404, "there is no such file");
 }
 
-// A computation that counts among those at once.
+// A computation among those at once.
 class Slot {
  public:
   explicit Slot(std::atomic<int>& taken) : taken_(taken), free_(++taken <= most_at_once) {}
@@ -167,7 +167,7 @@ class Slot {
   bool free_;
 };
 
-// Which pages are there, by the names that they give themselves; other requests count as one page without a
+// The pages that are open, by the names that they give themselves; other requests are one page without a
 // name.
 class Presence {
  public:
@@ -338,7 +338,7 @@ class PageServer {
     return httplib::Server::HandlerResponse::Unhandled;
   }
 
-  // Below the path of the page, where its cookie counts, as without it.
+  // Below the path of the page, where its cookie is valid, as without it.
   std::string at(const char* path) const { return "(?:" + home_ + ")?" + path; }
 
   void add_routes() {
@@ -502,7 +502,7 @@ class PageServer {
     answer_json(response, Json::object());
   }
 
-  // A reader that was cut off goes on behind the last event it has.
+  // A reader that was cut off continues behind the last event it has.
   static std::size_t last_event(const Asked& asked) {
     const std::string last = asked.get_header_value("Last-Event-ID");
     const bool number = !last.empty() && last.size() < 10 &&
@@ -614,7 +614,7 @@ class PageServer {
     }
   }
 
-  // Without a version that is stated, the one that the program read last counts.
+  // Without a stated version, the one that the program read last is used.
   void put_file(const std::string& file, const std::string& text,
                 const std::optional<std::string>& began_with) {
     const std::scoped_lock lock(reading_file_);

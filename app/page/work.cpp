@@ -93,7 +93,7 @@ Request request_of(const Json& asked, Server& server, Pace& pace) {
     server.tell(
         "progress",
         {{"done", done}, {"all", all}, {"doing", doing}, {"seconds_left", left ? Json(*left) : Json()}});
-    return true;  // a wish to stop ends the computation itself
+    return true;  // a stop request ends the computation itself
   };
   if (!folder.empty())
     request.point = [&](const std::string& row) { server.tell("point", Json::parse(row)); };

@@ -1,5 +1,5 @@
-// Requests of the page, each answered by a process of its own: what fails, does not end or is stopped there
-// ends there, and the server goes on.
+// Requests of the page, each answered by a process of its own: a failure, an endless computation or a stop
+// ends only that process, and the server continues.
 #pragma once
 
 #include <sys/types.h>

@@ -141,7 +141,7 @@ void require_writable(const std::filesystem::path& folder) {
 void sync_folder(const std::filesystem::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number < 0) fail_to_write(folder, errno);
-  // Some network file systems cannot do this for folders and say so by EINVAL.
+  // Some network file systems cannot do this for folders and report EINVAL.
   if (::fsync(opened.number) != 0 && errno != EINVAL) fail_to_write(folder, errno);
 }
 

@@ -15,8 +15,8 @@ namespace orbearing::app {
 /// Ending of files being written; a kill may leave them behind.
 inline constexpr const char* aside_ending = ".tmp";
 
-/// A file cannot be written. `cause` says which and why, `remedy` what to do before the command is given
-/// again.
+/// A file cannot be written. `cause` is the file and the reason, `remedy` the action required before the
+/// command is given again.
 struct WriteFailed : ComputationFailed {
   WriteFailed(const std::string& cause_text, const std::string& remedy_text)
       : ComputationFailed(cause_text + "; " + remedy_text + ", then give the command again"),

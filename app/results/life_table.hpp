@@ -13,7 +13,7 @@ namespace orbearing::app {
 struct BearingLives {
   bearing::rating::RatingLives standard;
   double lundberg_palmgren = bearing::rating::kNotRated;  // [rev]
-  double speed = 0.0;  // [rad/s]  of the race whose revolutions count against the load; 0: not known
+  double speed = 0.0;                            // [rad/s]  of the race relative to the load; 0: not known
   double pressure = bearing::rating::kNotRated;  // [Pa]  the largest, after Hertz
 };
 

@@ -79,9 +79,9 @@ struct DamagedLine {
 
 struct Manifest {
   std::optional<ManifestHeader> header;          // none where not even the first line is complete
-  std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later counts
+  std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later is used
   std::size_t sound_bytes = 0;                   // length without a last line that is torn or damaged
-  std::vector<DamagedLine> damaged;              // their points count as missing
+  std::vector<DamagedLine> damaged;              // their points are missing
 };
 
 /// The text of an object as a line whose last member is the check sum of the rest; whether a line, its end

@@ -13,8 +13,8 @@
 
 namespace orbearing::app {
 
-/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points;
-/// `share` [-] of the work of all points but the kept ones, where they are unlike; below 0: all alike.
+/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] is the time for the `done` less `kept`
+/// points; `share` [-] of the work of all points but the kept ones, where they differ; below 0: all equal.
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds,
                           double share = -1.0);
 
@@ -47,7 +47,7 @@ class Pace {
 };
 
 /// "run 2 of at most 8: 0.0231 s of 0.18 s in motion, 13 %, 0:04 to go". A motion that is not yet steady may
-/// go on for longer than expected.
+/// last longer than expected.
 std::string motion_text(const system::MotionProgress& now, std::optional<double> seconds_left);
 
 /// The same for callers, with cage and rollers (Request::motion).
@@ -67,7 +67,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// `work` [-]: share of the work that is done, where points are unlike; below 0: all alike.
+  /// `work` [-]: share of the work that is done, where points differ; below 0: all equal.
   void show(std::size_t done, double work = -1.0);
 
  private:

@@ -32,7 +32,7 @@ inline constexpr std::string_view input_speed_column = "input_speed_rpm";
 /// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";
 inline constexpr std::string_view limiting_set_column = "limiting_set";
-/// The column that says which points were added to the grid around the peak: true or false.
+/// The column that states which points were added to the grid around the peak: true or false.
 inline constexpr std::string_view refined_column = "refined";
 
 /// A swept case key other than input.speed: its values in the rows have the unit of the case file.
@@ -49,7 +49,7 @@ struct TableHead {
   std::size_t first_axis = 0;                     // index of the first swept axis
   std::size_t axes = 0;                           // as many
   std::optional<std::size_t> set_place;           // of the limiting set's name; none with one set
-  std::optional<std::size_t> refined_location{};  // of the column that says which points were added
+  std::optional<std::size_t> refined_location{};  // of the column that states which points were added
   std::optional<std::size_t> first_resonance{};   // first column of the nearest resonance, if any
   std::string life{"life_h"};                     // column of the governing life, by life.method
   bool operator==(const TableHead&) const = default;
@@ -81,7 +81,7 @@ struct ResultRow {
   bool refined = false;          // added to the grid around the peak
   std::string resonance_kind{};  // of the nearest resonance; empty where none is known
   std::string resonance_mode{};
-  std::vector<study::PlanetResult> planets{};  // one by one, where they carry unlike loads
+  std::vector<study::PlanetResult> planets{};  // one by one, where they carry unequal loads
   bool ok() const { return is_computed(status); }
 };
 
@@ -121,7 +121,8 @@ std::string csv_line(const TableHead& head, const ResultRow& row);
 /// The row as part of a record; a missing value is absent.
 void describe_row(described::Record& record, const TableHead& head, const ResultRow& row);
 
-/// Object with a key per column; a missing value is null. `planets` lists those that carry unlike loads.
+/// Object with a key for each column; a missing value is null. `planets` lists those that carry unequal
+/// loads.
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row);
 
 /// The row that `row_json` wrote. Throws nlohmann::json::exception where a key is missing or of another type.

@@ -30,7 +30,7 @@ struct LifeColumn {
   std::string name;
   std::string beside;
   bool in_revolutions = false;
-  std::string alike{};  // column of bins in which all bearings carry alike, where those of other bins do not
+  std::string alike{};  // column of bins with equal loads of all bearings, where other bins differ
 };
 
 /// Lives of one bearing in hours: of rows, of sets and, with "system_" before them, of all bearings together.

@@ -71,7 +71,7 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
     resonance = request.resonance_of(asked);
     add_resonance(resonance, point.row);
   }
-  // A file that nobody keeps costs more than a quasi-static point.
+  // A file that is not kept costs more than a quasi-static point.
   if (request.folder.empty() || !request.point_files) return point;
   PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
   add_location_in_sweep(refined, resonance, content);
@@ -205,7 +205,7 @@ class ContinuationPath {
     const SweepPoint& asked = request_.points[point];
     study::PointResult result =
         evaluate_with_speed(asked, [&] { return request_.evaluate_from(point, state_); });
-    // A failed point has no state to go on from: the next one starts where the failed one did.
+    // A failed point has no state to continue from: the next one starts where the failed one did.
     if (is_computed(result.status) && result.dynamic) state_ = result.dynamic->final_state;
     std::vector<FinishedPoint> kept;
     kept.push_back(finished_point(request_, asked, {point, std::move(result)}));

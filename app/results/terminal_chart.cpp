@@ -285,7 +285,7 @@ std::string resonance_text(const TableHead& head, const ResultRow& row) {
                      value_of(head, row, "resonance_speed_rpm"));
 }
 
-/// The rows that are shown, and what a last line says of the others.
+/// The rows that are shown, and the text on the others for a last line.
 struct ShownRows {
   std::vector<const ResultRow*> rows;
   std::string note;

@@ -56,8 +56,8 @@ std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows
 // The main columns of a sweep, for terminals.
 
 /// Speed, planet load, largest roller loads, lives and the swept axes, aligned; a failed point shows its
-/// status, and says whether the point was added to the grid. Of a long sweep every so many-th row of the grid
-/// and the longest life, which a last line then says.
+/// status, and whether the point was added to the grid. Of a long sweep every n-th row of the grid and the
+/// longest life, with a last line that states this.
 std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows);
 
 /// Loads, lives, safety and pressure of each of several sets at one point; nothing of one set.

@@ -36,7 +36,7 @@ struct Analysis {
   std::size_t parts = 0;                // of that line
   double (*simulated)(const ResolvedCase&) = nullptr;  // [s]  time of the motion whose shares these parts are
   AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);   // throws BadInput, ComputationFailed
-  std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // what `check` says follows from the case
+  std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // derived quantities for `check`
 };
 
 /// The case's row for a fidelity that the user named (empty: none); null where its run is a sweep. Throws

@@ -149,7 +149,7 @@ void describe_turned(Record& record, const DefectStudy& study) {
   });
 }
 
-// Lines that are looked for; of a run-up, whose lines are orders, none.
+// Expected lines that were searched for; of a run-up, whose lines are orders, none.
 void describe_found(Record& record, const DefectStudy& study) {
   const std::string name = diagnosis::defect_name(study.scratched);
   const std::vector<diagnosis::NamedPeak>& envelope = study.view.envelope_peaks;

@@ -1,4 +1,4 @@
-// A bearing with scratches: its vibration in time, and what an instrument would make of it.
+// A bearing with scratches: its vibration in time, and the signal of an instrument.
 #pragma once
 
 #include <functional>

@@ -145,7 +145,7 @@ Identification identification_of(const ResolvedCase& in) {
   return found;
 }
 
-// A fit at its bound, or one that does not end, says little of the shaft.
+// A fit at its bound, or one that does not end, gives little information on the shaft.
 void warn(const Identification& found, std::vector<std::string>& warnings) {
   constexpr double vague = 0.2;  // of frequencies
   if (!found.nonlinear.found.converged)

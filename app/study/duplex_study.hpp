@@ -88,8 +88,8 @@ void describe(described::Record& record, const Response& response);
 /// The pair at one of `operation.speeds`.
 struct PairAtSpeed {
   double speed = 0.0;                               // [rad/s]
-  std::optional<bearing::duplex::PairModes> modes;  // none: no balance
-  bearing::equilibrium::RingState state;            // its report says why
+  std::optional<bearing::duplex::PairModes> modes;  // none: no equilibrium
+  bearing::equilibrium::RingState state;            // its report has the reason
 };
 
 /// With the ball that has the largest load on the inner race.
@@ -115,7 +115,7 @@ void describe(described::Record& record, const DuplexStudy& study);
 /// Whether a case is that of a duplex pair.
 bool is_duplex(const ResolvedCase& resolved);
 
-/// Throws ComputationFailed where no balance is found.
+/// Throws ComputationFailed where no equilibrium is found.
 PairPoint pair_point(const ResolvedCase& resolved);
 /// At each of `operation.speeds`, of the nonlinear pair; empty where the case has none.
 std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& resolved);

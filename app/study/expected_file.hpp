@@ -12,7 +12,7 @@ namespace orbearing::app {
 
 /// Evidence for a number that is compared with ours.
 enum class EvidenceKind {
-  measurement,     // somebody measured it
+  measurement,     // a measured value
   program,         // computed by another program or by the source's own model
   worked_example,  // a printed example or table of a textbook, standard or catalogue
   closed_form,     // a formula
@@ -28,7 +28,7 @@ constexpr described::Names<EvidenceKind, 5> names_of(EvidenceKind) {
            {EvidenceKind::recomputed, "recomputed"}}};
 }
 
-/// Whether numbers of this kind count as values of others: a formula and what we recompute do not.
+/// Whether numbers of this kind are values of other sources: formulas and recomputed numbers are not.
 bool counts(EvidenceKind kind);
 
 /// One published number.
@@ -61,7 +61,7 @@ struct ResultPointer {
 };
 std::optional<ResultPointer> result_pointer(const std::string& quantity);
 
-/// Readings that affect the motion in time alone, and where they are looked at.
+/// Readings that affect the motion in time alone, and the speeds at which they are compared.
 struct MotionPlan {
   std::string fidelity = "monolithic";
   std::vector<double> speed_rpm;

@@ -1,4 +1,5 @@
-// Films under the balls of a bearing in balance, and its balance over speed, with films and with Hertz's law.
+// Films under the balls of a bearing in equilibrium, and its equilibrium over speed, with films and with
+// Hertz's law.
 #pragma once
 
 #include <optional>
@@ -40,8 +41,8 @@ struct SpeedTable {
 
 void describe(described::Record& record, const SpeedTable& table);
 
-/// At `operation.speeds`; none where the case has none. With film and without where `film.enabled` says so.
-/// A speed at which no balance is found has no numbers, and a warning.
+/// At `operation.speeds`; none where the case has none. With film and without if `film.enabled` is true. A
+/// speed without equilibrium has no numbers, and a warning.
 std::optional<SpeedTable> speed_table(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

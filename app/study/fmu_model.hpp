@@ -11,9 +11,9 @@
 
 namespace orbearing::app {
 
-/// One bearing of one planet, its speeds and its load at the start those of the case's operating point. Throws BadInput
-/// for a case of another model, of several sets, without bearing or with what a driven bearing does not
-/// include, as require_used() says.
+/// One bearing of one planet, its speeds and its load at the start those of the case's operating point.
+/// Throws BadInput for a case of another model, of several sets, without bearing or with inputs that a driven
+/// bearing does not include, as require_used().
 fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);
 
 /// The gear set with its planet bearings left out; at the start they hold the mean loads of the case. Throws

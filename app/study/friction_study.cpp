@@ -176,15 +176,15 @@ friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<frict
   return inlets;
 }
 
-// Balances with the first element at even positions over a pitch, the stated one among them: rollers enter
-// and leave the load zone as the cage turns.
+// Equilibria with the first element at even positions over a pitch, the stated one among them: rollers enter
+// and leave the load zone as the cage rotates.
 class OverPitch {
  public:
   OverPitch(const ResolvedCase& in, const bearing::Bearing& bearing, const RingState& stated)
       : in_(in), bearing_(bearing), balances_{stated} {}
 
-  /// Friction by `loss` of a balance: mean over so many positions that twice as many change its sum by less
-  /// than the printed digits, or over the most.
+  /// Friction by `loss` of an equilibrium: mean over so many positions that twice as many change its sum by
+  /// less than the printed digits, or over the most.
   template <class Loss>
   void put_means(const Loss& loss, FrictionStudy& study) {
     constexpr double same = 2e-4;  // [-]

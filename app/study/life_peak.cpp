@@ -33,7 +33,7 @@ constexpr double kScanStep = 1.0 / 40.0;
 // Between two computed speeds life rises by no more than this power of speed: L10 in hours grows with v^(7/3)
 // where the load falls as 1 / v; the flanks of dips are steeper, but short.
 constexpr double kSteepestRise = 3.5;
-// A resonance this near to a computed point [of its speed] is seen already.
+// A resonance this near to a computed point [of its speed] is resolved already.
 constexpr double kSeen = 1.0 / 80.0;
 // A hill whose parabola would top the best point by less is no rival: single points in motion scatter by
 // more.
@@ -287,8 +287,8 @@ nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const Sweep
 
 namespace {
 
-// Beyond so many added points a search is given up; the result says how well the peak is known then. No curve
-// that was seen needed a quarter of them.
+// With more added points than this a search is stopped; the result then states the resolution of the peak. No
+// known curve needed a quarter of them.
 constexpr std::size_t kMostAdded = 400;
 
 PeakSearch search_on_line(bool in_motion, const std::vector<Resonance>& resonances) {

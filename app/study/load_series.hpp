@@ -93,8 +93,9 @@ struct BinnedSeries {
 };
 
 /// Bins of equal width between the least and the greatest torque and speed of all samples of all records that
-/// turn. Torques and speeds count by their magnitude: a load that turns round presses the same rollers from
-/// the other side. Torques of a bin are averaged by `exponent` [-]. Throws BadInput where nothing ever turns.
+/// rotate. Torques and speeds are taken by their magnitude: a load with reversed sense presses the same
+/// rollers from the other side. Torques of a bin are averaged by `exponent` [-]. Throws BadInput where
+/// nothing ever rotates.
 BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts,
                     double exponent = kLineExponent);
 

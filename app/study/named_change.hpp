@@ -57,7 +57,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
 /// Life [h] of one bearing; NaN where the point failed.
 double life_of(const study::PointResult& point);
 
-/// Index of the speed of the longest life; points that failed do not count.
+/// Index of the speed of the longest life; failed points are skipped.
 std::size_t best_point(const ChangeResult& result);
 
 }  // namespace orbearing::app

@@ -305,7 +305,7 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
   for (const study::NamedSet& set : bearing_sets(resolved)) {
     const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
     if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed ||
-        !drivetrain.rows.is_cylindrical())  // in the balance
+        !drivetrain.rows.is_cylindrical())  // in the equilibrium
       continue;
     const gearset::MeanLoads gears = study::bearing_duty(drivetrain, set.geometry).gears;
     const std::vector<double> positions = study::axial_positions(drivetrain);
@@ -498,7 +498,7 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
   try {
     const char* tilt = "bearing.tilt_state";
     const bool tilts = in.has(tilt) && in.choice(tilt) == "computed";
-    // The pin stays what it is, though its ends count only where tilts are computed.
+    // The pin remains the same, though its ends have an effect only where tilts are computed.
     const std::string pin = fmt::format("{:.17g} N/m", set.drivetrain.dynamics.support.stiffness);
     const ResolvedCase aligned =
         tilts ? in.with(tilt, std::string("stated")).with("support.stiffness", pin) : in;

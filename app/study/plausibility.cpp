@@ -138,7 +138,7 @@ std::string with_unit(double value, const PlausibleRange& range) {
   return range.of.unit.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, range.of.unit);
 }
 
-// Empty for a usual value.
+// Empty for a common value.
 std::string rare_text(const PlausibleRange& range, double value) {
   if (value < range.rare_low.value)
     return fmt::format("{}: {} below {}, {}", range.of.block, range.of.name,

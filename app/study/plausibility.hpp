@@ -1,7 +1,7 @@
 // Whether numbers of a result are those of real machines: one table of bounds, which every analysis uses.
 //
-// Two levels. Beyond the first, values are rare: a warning beside them. Beyond the second, no such machine can
-// exist, or a unit was mistaken: the status of the point says so. Its values stay: they are what the inputs give.
+// Two levels. Values beyond the first are rare: a warning. Beyond the second, no such machine can exist, or a
+// unit was mistaken: this is the status of the point. Its values stay: they are the results of the inputs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,7 +19,7 @@ namespace orbearing::app {
 struct PlausibleRange {
   struct {
     std::vector<std::string> keys;  // of --json and columns of sweep.csv, all in this unit
-    std::string block;              // what a warning begins with: the block of the case to look at
+    std::string block;              // begin of a warning: the block of the case to check
     std::string name;
     std::string unit;
   } of;

@@ -53,8 +53,8 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const nlohma
 bool has_gear_report(const ResolvedCase& resolved);
 
 /// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm], of which the page makes its
-/// pictures (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a
-/// run that fails says why in its `status`.
+/// figures (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a run
+/// that fails has the reason in its `status`.
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm);
 
 /// Missing points of a sweep in a folder of results: points that a shard leaves to others or that were not

@@ -18,8 +18,8 @@ namespace orbearing::app {
 diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm);
 
 /// Resonances that the meshes excite between two speeds [rpm] and half as much beyond, ascending. Found by
-/// the modes at fixed speeds, of which those are left out at which the bearings find no balance. The case
-/// without its sweep.
+/// the modes at fixed speeds, except speeds at which the bearings have no equilibrium. The case without its
+/// sweep.
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm);
 
 /// The one nearest to a speed [rad/s]; none where none is within a factor of one and a half.

@@ -185,7 +185,7 @@ Lives lives_at_rest(const ResolvedCase& in) {
     }
     return lives;
   } catch (const BadInput&) {
-  } catch (const std::runtime_error&) {  // its run says that
+  } catch (const std::runtime_error&) {  // its run reports it
   } catch (const std::logic_error&) {
   }
   return {};

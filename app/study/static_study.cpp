@@ -32,7 +32,7 @@ namespace equilibrium = bearing::equilibrium;
 namespace rating = bearing::rating;
 using bearing::Race;
 
-// Races of balls that move bear unlike loads.
+// Races of balls in motion carry different loads.
 bool balls_move(const equilibrium::RingState& state) {
   return state.outer_load.size() > 0;
 }

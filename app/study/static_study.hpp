@@ -63,7 +63,7 @@ std::vector<Derived> static_quantities(const ResolvedCase& resolved);
 /// Whether a case is that of one bearing under a static load.
 bool is_static_bearing(const ResolvedCase& resolved);
 
-/// Throws ComputationFailed where no balance is found, BadInput for another model.
+/// Throws ComputationFailed where no equilibrium is found, BadInput for another model.
 StaticStudy static_study(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -13,13 +13,13 @@
 
 namespace orbearing::app {
 
-/// One balance. Order x, y, z, tilt about x, tilt about y; SI.
+/// One equilibrium. Order x, y, z, tilt about x, tilt about y; SI.
 struct StiffnessPoint {
   double speed = 0.0;  // [rad/s]  of the inner ring, of rollers 0: they rest; of a drivetrain, its input
   std::vector<std::pair<std::string, double>> load{};  // by name with unit, on the ring that moves
   std::size_t series = 0;  // points of one series differ by speed alone, or are one sweep
   std::string set{};       // of several sets, whose planet bearing
-  std::optional<bearing::equilibrium::RingStiffness> stiffness{};  // none: no balance
+  std::optional<bearing::equilibrium::RingStiffness> stiffness{};  // none: no equilibrium
   bearing::equilibrium::RingDisplacement displacement = bearing::equilibrium::RingDisplacement::Zero();
   std::optional<double> largest_pressure{};  // [Pa]  of a single bearing, after Hertz
   std::string status = "ok";                 // or why there is none

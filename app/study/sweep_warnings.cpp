@@ -120,7 +120,7 @@ void warn_of_soft_rims(const ResolvedCase& resolved, const SweepOutcome& outcome
                         "modulus of its material",
                         sets.size() > 1 ? set_prefix(set.name) : "",
                         set.drivetrain.drive.speed * 30.0 / std::numbers::pi, 100.0 * gain));
-    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row says
+    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row reports
     }
 }
 

@@ -186,8 +186,8 @@ ResolvedCase over_box(const ResolvedCase& resolved, const std::vector<std::strin
   });
 }
 
-// A table in progress. Rows of a resumed folder are gone through again, so that each round follows from the
-// same rows as in an undisturbed run.
+// A table in progress. Rows of a resumed folder are processed again, so that each round follows from the same
+// rows as in an undisturbed run.
 struct TableStudy::State {
   ResolvedCase resolved;
   TabulatedCase table;

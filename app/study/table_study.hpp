@@ -1,5 +1,5 @@
 // Results of a case tabulated over some of its inputs (coupling/study/result_table.hpp), the file that holds
-// them, and what they answer.
+// them, and their interpolation.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,7 @@ namespace {
 
 const boost::math::normal standard_normal;
 
-// In [0, 1), alike on every machine, which the standard library's distributions are not.
+// In [0, 1), equal on every machine, unlike the standard library's distributions.
 double uniform_draw(std::mt19937_64& generator) {
   return std::ldexp(static_cast<double>(generator() >> 11), -53);
 }

@@ -42,7 +42,7 @@ struct ValidationRow {
   bool is_trend() const { return published.is_trend(); }
 };
 
-/// All that `orbearing validate` says about one case.
+/// Results of `orbearing validate` for one case.
 struct ValidationTable {
   std::string case_name;
   std::vector<ValidationRow> rows;            // each published value once
@@ -63,7 +63,7 @@ struct ValidationCount {
   int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
-  int lines_of_one_formula = 0;  // of passing elements, beyond the one that counts of each bearing
+  int lines_of_one_formula = 0;  // of passing elements, besides the one that counts for each bearing
   int sources = 0;               // of `published`
   int comparisons_under_other_readings = 0;
 };
@@ -75,7 +75,7 @@ using ResultOf = std::function<nlohmann::ordered_json(const std::string& command
 struct ValidationOptions {
   int jobs = 0;          // threads for the other readings; 0: one for each core
   ResultOf result_of{};  // none: rows of the quantity COMMAND:/json/pointer are left out
-  int samples = 0;       // of the uncertain inputs, for the bands of rows that somebody measured; 0: no bands
+  int samples = 0;       // of the uncertain inputs, for the bands of measured rows; 0: no bands
   std::uint64_t seed = 1;
 };
 
