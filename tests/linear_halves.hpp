@@ -2,8 +2,8 @@
 // spring and a damper answers with a force. Both halves move exactly under any polynomial, so that all that
 // is left of an error is the coupling's; the whole has a closed form.
 //
-//   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends in
-//   the wall
+//   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends
+//                                                        in the wall
 //
 #pragma once
 

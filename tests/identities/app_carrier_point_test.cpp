@@ -29,7 +29,8 @@ CarrierRevolution revolution_of(const ResolvedCase& in, const study::RevolutionO
   return study::carrier_revolution(set.drivetrain, set.geometry, options);
 }
 
-// Spur gears, no weight, no clearance, no rotor: all bearings carry what the plane says, all the time.
+// Spur gears, no weight, no clearance, no rotor: all bearings carry the loads of the plane model, all the
+// time.
 TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
   for (const bool cut : {false, true}) {
     std::vector<std::string> settings{"gearset.carrier.gravity=0 m/s2"};
@@ -102,7 +103,7 @@ TEST(CarrierPoint, PlanetsThatAreAlikeMeetTheSameLoadsInTurn) {
     EXPECT_EQ(alike.bearings[b].planet, each.bearings[b].planet);
     EXPECT_NEAR(alike.bearings[b].position, each.bearings[b].position, 1e-12);
     EXPECT_NEAR(alike.bearings[b].rated_hours.basic / each.bearings[b].rated_hours.basic, 1.0, 1e-6);
-    // Rollers are computed at some angles, at other ones of the unlike planets.
+    // Rollers are computed at some angles, at other ones for the unequal planets.
     EXPECT_NEAR(alike.bearings[b].life_hours / each.bearings[b].life_hours, 1.0, 1e-3);
   }
   for (std::size_t m = 0; m < each.meshes.size(); ++m) {

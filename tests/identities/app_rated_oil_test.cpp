@@ -34,7 +34,7 @@ TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
   EXPECT_FALSE(plain.rating.lives.oil);
   ASSERT_TRUE(rated.rating.lives.oil);
   EXPECT_TRUE(std::isnan(plain.rating.hours.modified) && std::isnan(plain.rating.hours.modified_reference));
-  // A dry contact carries alike whatever the oil.
+  // A dry contact carries the same load whatever the oil.
   EXPECT_EQ(rated.life_hours, plain.life_hours);
   EXPECT_EQ(rated.rating.hours.basic, plain.rating.hours.basic);
   EXPECT_EQ(rated.rating.hours.reference, plain.rating.hours.reference);

@@ -235,7 +235,7 @@ TEST(StandardLives, WithTheMakersRatings) {
   EXPECT_EQ(stated.rating.lives.fatigue_load_limit, 4e3);
   EXPECT_NEAR(stated.rating.hours.basic / plain.rating.hours.basic,
               std::pow(20e3 / plain.rating.lives.dynamic_capacity, 10.0 / 3.0), 1e-9);
-  // Contacts bear by C: the reference life goes with its fourth power.
+  // Capacities of contacts follow from C: the reference life is proportional to its fourth power.
   EXPECT_NEAR(stated.rating.hours.reference / plain.rating.hours.reference,
               std::pow(20e3 / plain.rating.lives.dynamic_capacity, 4.0), 1e-8);
   EXPECT_EQ(stated.life_hours, plain.life_hours);  // Lundberg and Palmgren's own capacities

@@ -150,7 +150,7 @@ class Seen {
   static void put_body(const Body& body, const Body& by, int unknowns, double* dx) {
     const Vector a = body.attitude.col(2), passing = body.rotating.cross(a);
     const Vector bending = by.rotating.cross(a) + body.rotating.cross(passing);
-    // A held ring moves no more, whatever its state says.
+    // A held ring does not move, whatever its state.
     for (int i = 0; i < 3; ++i) dx[i] = body.velocity[i], dx[unknowns + i] = by.velocity[i];
     for (int i = 0; i < 2; ++i) dx[3 + i] = passing[i], dx[unknowns + 3 + i] = bending[i];
   }
@@ -646,7 +646,7 @@ TEST_P(BallsInertialRun, RunsAlike) {
   EXPECT_NEAR(found.cage_speed, expected.cage_speed, kLoads * std::abs(expected.cage_speed));
   const double all = expected.loss[5];
   EXPECT_NEAR(found.loss[5], all, kLoads * all);
-  // Damping of the races is a hundred thousandth of the whole; errors of the steps count by the whole.
+  // Damping of the races is a hundred thousandth of the whole; errors of the steps are relative to the whole.
   for (Eigen::Index i = 0; i < 5; ++i)
     EXPECT_NEAR(found.loss[i], expected.loss[i], kParts * expected.loss[i] + 1e-6 * all) << i;
 }

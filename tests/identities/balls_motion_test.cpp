@@ -281,7 +281,7 @@ TEST(BallMotion, StepsAreOfSecondOrder) {
   EXPECT_NEAR(std::log2(fine / finest), 2.0, 0.25);
 }
 
-// Turning slowly, the balls carry in the mean over their places what the static bearing says.
+// In slow rotation, the mean loads of the balls over their positions are those of the static bearing.
 TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   Bearing b;
   b.elements = Balls{8, 11.509e-3, 0.0};

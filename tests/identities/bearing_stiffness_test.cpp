@@ -83,7 +83,7 @@ RingState balanced(const Loaded& at) {
       {.radial = at.load[0], .axial = at.load[2], .moment = at.load[3], .moment_across = at.load[4]});
 }
 
-// Differences of fourth order: steps far above the balance's round-off.
+// Differences of fourth order: steps far above the equilibrium's round-off.
 Vector5 slope_by_load(const Loaded& at, int freedom, double step) {
   const auto moved = [&](double steps) {
     return stands(at, (at.load + steps * step * Vector5::Unit(freedom)).eval());
@@ -105,7 +105,7 @@ TEST(BearingStiffness, EveryEntryIsTheSlopeOfTheEquilibrium) {
     const Matrix5 product = stiffness * slopes;
     for (int i = 0; i < 5; ++i)
       for (int j = 0; j < 5; ++j) {
-        // By an arm of 1 cm, forces and moments are alike.
+        // With an arm of 1 cm, forces and moments are comparable.
         const double arm = std::pow(100.0, (i >= 3) - (j >= 3));
         EXPECT_NEAR(arm * product(i, j), arm * expected(i, j), kAgreement) << i << " " << j;
       }
@@ -239,7 +239,7 @@ TEST(PlanetStiffness, EveryEntryIsTheSlopeOfTheMeans) {
     }
 }
 
-// At one cage angle, without inertia: what the same rollers, unloaded ones among them, are worth in series.
+// At one cage angle, without inertia: stiffness of the same rollers, unloaded ones among them, in series.
 TEST(PlanetStiffness, IsThatOfTheRollersAlongTheLoad) {
   const Planet p = planet(false, false);
   const laminae::LaminaBearing bearing(p.bearing);

@@ -17,8 +17,8 @@ namespace {
 using integration::Method;
 using vectorised::VectorBearing;
 
-// Energy that steps add to the exact motion: each step is gone over again from the same state by explicit
-// steps of order 5 with a far smaller error, and what the two ends differ in energy is summed. Nothing is
+// Energy that steps add to the exact motion: each step is repeated from the same state by explicit steps of
+// order 5 with a far smaller error, and the difference in energy of the two ends is summed. Nothing is
 // interpolated, and no power is integrated over an impact.
 class LocalFlowAudit {
  public:
@@ -28,7 +28,7 @@ class LocalFlowAudit {
     exact_.allowed_error = system::allowed_errors(bearing.model(), kShareOfStep * length_error);
   }
 
-  /// The step from the state seen last, after `length` [s].
+  /// The step from the last state, after `length` [s].
   void add(const Eigen::VectorXd& x, double length) {
     if (x_.size() > 0 && length > 0.0) {
       const auto report = integration::integrate(
@@ -217,8 +217,7 @@ Eigen::VectorXd end_of_equal_steps(const BearingModel& model, const Eigen::Vecto
   return end;
 }
 
-// By a method of order 5: its error, 1e-5 of the ones to be measured, does not
-// count.
+// By a method of order 5: its error, 1e-5 of the ones to be measured, is negligible.
 Eigen::VectorXd exact_end(const BearingModel& model, Eigen::VectorXd x) {
   VectorBearing equations(model);
   const auto motion = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at,
@@ -469,7 +468,7 @@ TEST(BlowsAreDamped, WhereTheFilmStopsARoller) {
     }
     return speed;
   };
-  double thin = 1e-3, thick = 0.1;  // [Pa s]  the closed form says yes above some viscosity between them
+  double thin = 1e-3, thick = 0.1;  // [Pa s]  the closed form is met above some viscosity between them
   while (thick / thin > 1.0 + 1e-3) {
     const double middle = std::sqrt(thin * thick);
     (system::blows_are_damped(model_of(middle)) ? thick : thin) = middle;

@@ -1,5 +1,5 @@
-// Forces follow from stored energy, bodies act on each other alike and opposite, and nothing dissipative
-// gives power.
+// Forces follow from stored energy, bodies exert equal and opposite forces on each other, and nothing
+// dissipative gives power.
 #include <gtest/gtest.h>
 
 #include "bearing/motion/snapshot.hpp"

@@ -236,7 +236,7 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
   const StateLayout& layout = model.layout;
   double open = 0.0, closed = 0.0;
   for (int k = 0; k < kStates; ++k) {
-    const double length = k % 3 == 0 ? 5e-5 : 3e-6;  // [m]  with cage and land touching, or near the balance
+    const double length = k % 3 == 0 ? 5e-5 : 3e-6;  // [m]  cage and land in contact, or near equilibrium
     const Eigen::VectorXd x =
         test::shaken_state(model, bearing, parameters, length, GetParam().shaken, random);
     Eigen::VectorXd dx(x.size());

@@ -156,13 +156,13 @@ TEST(InclinedLaminae, FinerLaminaeConvergeAndATiltLoadsOneEnd) {
   Eigen::Index roller = 0;
   result.rows[0].outer_load.maxCoeff(&roller);
   EXPECT_NEAR(along.col(roller).sum() / result.rows[0].outer_load[roller], 1.0, 1e-9);
-  // A planet whose axis leans outward at +z relieves that end of the rollers where it leans to.
+  // A planet whose axis is inclined outward at +z relieves that end of the rollers.
   const Eigen::Vector2d to(std::cos(result.angle[roller]), std::sin(result.angle[roller]));
   const double lean = result.tilt.dot(to), slope = along(29, roller) - along(0, roller);
   EXPECT_LT(lean * slope, 0.0);
 }
 
-// All in balance: rows' forces and moments hold the load.
+// All in equilibrium: rows' forces and moments balance the load.
 TEST(InclinedLaminae, HoldTheLoadAndItsMoment) {
   PlanetRows rows = pair();
   rows.preload = 800.0;

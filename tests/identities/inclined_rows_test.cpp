@@ -190,7 +190,7 @@ TEST(InclinedRows, WithoutContactAngleIsTheCylindricalBearing) {
   }
 }
 
-// [ISO16281]: the row of balls of the static balance, whose load moves the inner ring.
+// [ISO16281]: the row of balls of the static equilibrium, whose load moves the inner ring.
 TEST(InclinedRows, BallsAtRestAreThoseOfTheStaticBalance) {
   Bearing bearing = roller_row(8e-6);
   bearing.elements = Balls{.count = 9, .diameter = 6e-3};

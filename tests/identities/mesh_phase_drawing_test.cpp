@@ -135,7 +135,7 @@ TEST(MeshPhase, OfRingAndSunMeshIsThatOfDrawnTeeth) {
   }
 }
 
-// Both meshes of a planet lag alike behind those of the first planet: the condition of assembly.
+// Both meshes of a planet lag equally behind those of the first planet: the condition of assembly.
 TEST(MeshPhase, OfSunAndRingMeshShiftTogetherFromPlanetToPlanet) {
   for (const PlanetarySet& set : all_sets()) {
     for (const bool anticlockwise : {true, false}) {

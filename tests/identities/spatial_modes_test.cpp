@@ -117,7 +117,7 @@ TEST(SpatialModes, HelicalGearsHeldAlongTheirAxesSwingAsTheModelOfThePlaneHasIt)
   expect_like_the_plane(all, 0.9);
 }
 
-// A carrier by itself on unlike bearings, its centre of mass beside the middle of the face.
+// A single carrier on different bearings, its centre of mass beside the middle of the face.
 TEST(SpatialModes, ACarrierAloneSwingsOnItsBearingsByClosedForm) {
   MovingSet all = moving(kHelix);
   all.set.sun.stiffness = all.set.ring.stiffness = 0.0;

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr int kSlices = 40;
-constexpr double kRoundOff = 1e-8;  // of forces of one balance, found to 1e-12 of the largest
+constexpr double kRoundOff = 1e-8;  // of forces of one equilibrium, found to 1e-12 of the largest
 constexpr double kGravity = 9.81;   // [m/s2]
 
 // 21/39/99 of module 10 mm at 7.5 degrees; stiffnesses and masses as such a stage has them.
@@ -181,8 +181,8 @@ TEST(SpatialSet, WhatHoldsAPlanetHoldsItsWeight) {
   }
 }
 
-// On stiff pins the weight of a planet turns in its bearings once a revolution, and the meshes feel nothing
-// of it.
+// On stiff pins the weight of a planet rotates in its bearings once a revolution, and does not affect the
+// meshes.
 TEST(SpatialSet, GravityIsALoadOnceARevolution) {
   SpatialSet set = wind_stage(0.0);
   for (PlanetBearing& bearing : set.planet_bearings) bearing.radial_stiffness = 1e13;
@@ -317,8 +317,8 @@ TEST(SpatialSet, LoadOverTheFaceIsThatOfTheMesh) {
     }
 }
 
-// A moment of the rotor tilts the carrier, and planets follow it: between bore and pin remains what the
-// meshes hold. The axis leans as the rows carry unlike loads.
+// A moment of the rotor tilts the carrier, and planets follow it: the tilt between bore and pin is that which
+// the meshes hold. The axis is inclined as the rows carry unequal loads.
 TEST(SpatialSet, TiltOfABoreIsThatOfItsRows) {
   const SpatialSet set = wind_stage();
   SpatialLoad load = rated();

@@ -12,7 +12,7 @@
 namespace orbearing::study::crowning::study_crown_planet_test {
 namespace {
 
-// The search within a balance ends at 1e-12 of the load; other instruction sets add up in another order.
+// The search for an equilibrium ends at 1e-12 of the load; other instruction sets add up in another order.
 constexpr double kBalance = 1e-8;
 
 PlanetaryDrivetrain tilting() {
@@ -61,8 +61,8 @@ TEST(CrownOfAPlanet, LeansAsItsPinIsInclined) {
   EXPECT_LT(stated, 0.9 * life_hours(problem_of(tilting()), kStraight, Lean::Zero()));
 }
 
-// Bearings alike on a pin that does not bend, in meshes without tilt stiffness: one bearing that does not
-// lean.
+// Equal bearings on a pin that does not bend, in meshes without tilt stiffness: one bearing that does not
+// tilt.
 TEST(CrownOfAPlanet, OnAStiffPinIsOneBearingThatStandsLevel) {
   PlanetaryDrivetrain drivetrain = tilting();
   drivetrain.bearing.material.youngs_modulus = 206e16;  // Palmgren's dry contacts have none

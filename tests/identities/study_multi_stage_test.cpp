@@ -17,8 +17,8 @@ namespace {
 using example::reducer;
 using example::rpm;
 
-// The ratios of an arrangement come from a linear solver, those of a set alone from a quotient; the races
-// balance to 1e-12 and life takes the fourth power.
+// The ratios of an arrangement come from a linear solver, those of a single set from a quotient; the loads of
+// the races balance to 1e-12 and life takes the fourth power.
 constexpr double same = 1e-9;
 
 NamedSet named(const std::string& name, PlanetaryDrivetrain drivetrain) {

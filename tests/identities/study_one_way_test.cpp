@@ -190,9 +190,9 @@ TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
   EXPECT_FALSE(accepted(any, any, 0.0));
 }
 
-// Without backlash planets that are thrown outward press their back flanks on the ring: the gears carry
-// another mean load than the torques give, the bearing is driven with that of the torques, and the point is
-// not accepted.
+// Without backlash the centrifugal load of planets presses their back flanks on the ring: the gears carry
+// another mean load than by the torques, the bearing is driven with that of the torques, and the point is not
+// accepted.
 TEST(OneWay, SaysWhereDisplacedPlanetsUseUpTheBacklash) {
   for (const bool tight : {false, true}) {
     PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);

@@ -19,7 +19,7 @@ namespace {
 constexpr double kBalance = 1e-6;  // of a load: the search ends at 1e-9 of the largest, gears take part of it
 constexpr double kRoundOff = 1e-9;
 
-// The first pin ahead of its place by `error` [m]; no case here parts the teeth unless it says so.
+// The first pin ahead of its position by `error` [m]; no case here separates the teeth unless stated.
 PlanetaryDrivetrain displaced(int planets, double error, bool floating_sun) {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.set.planets = planets;
@@ -51,7 +51,8 @@ TEST(LoadSharing, OfThreePlanetsAboutAFloatingSunIsEven) {
   for (const double share : shares_of(displaced(3, 5e-6, true))) EXPECT_NEAR(share, 1.0, kBalance);
 }
 
-// Four about a floating sun: its balance leaves pairs of opposite planets alike, and the torque the sum.
+// Four about a floating sun: its equilibrium gives equal loads in pairs of opposite planets, and the torque
+// the sum.
 TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
   const std::vector<double> shares = shares_of(displaced(4, 5e-6, true));
   EXPECT_NEAR(shares[0], shares[2], kBalance);
@@ -111,13 +112,14 @@ TEST(LoadSharing, SearchesThatStartNearEndAlike) {
   EXPECT_LT(again.report.iterations, anew.report.iterations);
 }
 
-// The planet that carries most after one error carries least after the opposite one; small errors act alike.
+// The planet that carries most after one error carries least after the opposite one; small errors act
+// equally.
 TEST(LoadSharing, GoesWithTheError) {
   const double ahead = shares_of(displaced(4, 1e-6, false))[0] - 1.0;
   const double behind = shares_of(displaced(4, -1e-6, false))[0] - 1.0;
   EXPECT_LT(ahead * behind, 0.0);
   constexpr double kCurvature =
-      0.05;  // of the change: the bearings' stiffness goes with the ninth root of load
+      0.05;  // of the change: the bearings' stiffness is proportional to the ninth root of load
   EXPECT_NEAR(-behind / ahead, 1.0, kCurvature);
 }
 

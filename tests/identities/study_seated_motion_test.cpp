@@ -51,10 +51,10 @@ TEST(SeatedMotion, BeginsWithTheLoadsAtRest) {
   EXPECT_NEAR(load_ratio_in_motion(setup), at_rest, kOneAngle);
   for (system::BearingSeat& seat : setup.seats) seat.pin_offset.setZero();
   EXPECT_GT(std::abs(load_ratio_in_motion(setup) - at_rest),
-            2.0 * kOneAngle);  // what the bent pins make of it
+            2.0 * kOneAngle);  // effect of the bent pins
 }
 
-// Between bearings that are alike the pins bend evenly: both share the load.
+// Between equal bearings the pins bend evenly: both share the load.
 TEST(SeatedMotion, BearingsThatAreAlikeNeedNoOffset) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.clearance_differences.clear();

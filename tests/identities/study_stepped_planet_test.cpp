@@ -51,8 +51,7 @@ TEST(SteppedPlanetOnItsPin, BearingsHoldForcesAndCouple) {
   }
 }
 
-// Gears that are alike, one behind the other: forces at -15 and 15 mm, which the sun pushes outward, the ring
-// inward.
+// Equal gears, one behind the other: forces at -15 and 15 mm, which the sun pushes outward, the ring inward.
 TEST(SteppedPlanetOnItsPin, CoupleIsThatOfBothForces) {
   PlanetaryDrivetrain drivetrain = stepped_reducer(30e-3);
   drivetrain.dynamics.inertia.carrier_centrifugal = false;

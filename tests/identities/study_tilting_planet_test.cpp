@@ -40,8 +40,8 @@ TEST(TiltingPlanet, OfEqualBearingsOnAStiffPinHasTheLifeOfStatedTiltZero) {
   EXPECT_NEAR(found.seats[0].life_hours / level.life_hours, 1.0, 1e-6);
 }
 
-// The slope of the pin under equal loads is what both bearings feel, in opposite senses; it falls with the
-// load.
+// Both bearings have the slope of the pin under equal loads as their tilt, in opposite senses; it decreases
+// with the load.
 TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   for (const double rpm : {1000.0, 6000.0}) {
@@ -215,7 +215,7 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   PlanetaryDrivetrain stated = drivetrain;
   stated.seats.carrier_twist.reset();
   const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(planet_seat(stated), stated, duty);
-  const double wall = [&] {  // of the loads that are found: bearings no longer carry alike
+  const double wall = [&] {  // of the loads that are found: bearings no longer carry equal loads
     double force = 0.0;
     const std::vector<double> positions = axial_positions(drivetrain);
     for (std::size_t k = 0; k < 2; ++k)

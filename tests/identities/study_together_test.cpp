@@ -26,7 +26,7 @@ using Eigen::Vector4d;
 
 // The search for the shares ends at 1e-9 of the largest force; lives take the power 10/3 of it.
 constexpr double kShared = 1e-7;
-// Searches of a planet's balance that take other ways to the same end.
+// Searches for a planet's equilibrium by different methods.
 constexpr double kSearched = 1e-8;
 
 struct Parts {
@@ -117,8 +117,8 @@ TEST(Together, PinsThatChangePlacesTakeTheirPlanetsAlong) {
   }
 }
 
-// One bearing in the middle of a straight face has no reason to tilt: unlike planets share as with a stated
-// tilt of nothing, whatever the pin, whose displacement is the support's.
+// One bearing in the middle of a straight face does not tilt: unequal planets share as with a stated tilt of
+// zero, whatever the pin, whose displacement is the support's.
 TEST(Together, PlanetsThatDoNotTiltShareAsLevelOnes) {
   for (const bool rim : {false, true}) {
     PlanetaryDrivetrain drivetrain =
@@ -133,7 +133,7 @@ TEST(Together, PlanetsThatDoNotTiltShareAsLevelOnes) {
   }
 }
 
-// Both bearings press on one form of the race: alike, each has what it has by itself.
+// Both bearings press on one form of the race: each of two equal ones has the same results as a single one.
 TEST(Together, LikeBearingsOnAnElasticPlanetCarryAsOneDoes) {
   PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = true});
   drivetrain.seats.clearance_differences.clear();
@@ -196,7 +196,7 @@ TEST(Together, HelixBendsTheRimByItsTransverseForces) {
 }
 
 // Load and moment on a planet against its displacement and tilt by differences, on a rigid rim and an elastic
-// one: the slope by which unlike planets find their shares.
+// one: the slope that determines the load sharing of unequal planets.
 TEST(Together, ComplianceOfAPlanetIsTheSlopeOfItsBalance) {
   for (const bool rim : {false, true}) {
     const PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = rim});

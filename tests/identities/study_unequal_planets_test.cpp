@@ -115,7 +115,7 @@ TEST(UnequalPlanets, AtEqualStepsAreEqualPlanets) {
   EXPECT_EQ(a.planet_angles, b.planet_angles);
 }
 
-// Three forces on a sun that floats: each goes with the sine of the angle between the other two.
+// Three forces on a floating sun: each is proportional to the sine of the angle between the other two.
 TEST(UnequalPlanets, ThreeAboutAFloatingSunCarryByItsBalance) {
   const std::vector<int> steps{0, 30, 75};
   const std::vector<double> shares = shares_of(placed(steps));

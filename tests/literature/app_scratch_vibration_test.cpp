@@ -37,7 +37,7 @@ void expect_peak(const DefectStudy& study, const std::string& is, double frequen
   EXPECT_NEAR(found->frequency, frequency, kHalfPercent * frequency) << is;
 }
 
-// All passings alike: the line and its harmonics, nothing between them.
+// All passings equal: the line and its harmonics, nothing between them.
 TEST(ScratchVibration, OuterRace) {
   const DefectStudy study = study_of({"defect.race=outer"});
   expect_peak(study, "outer race defect", 76.3);
@@ -141,8 +141,8 @@ TEST(ScratchVibration, InnerRaceWithAllInMotion) {
   expect_peak(study, "inner race defect - shaft", 123.7 - 25.0);
 }
 
-// "about 0.2 m/s2" at the most, with the period of the balls; the cage's 9.5 Hz cannot show where balls are
-// alike.
+// "about 0.2 m/s2" at the most, with the period of the balls; the cage's 9.5 Hz cannot appear with equal
+// balls.
 TEST(ScratchVibration, WithoutAScratchOnlyTheBallsPass) {
   const DefectStudy study = study_of({"defect.race=none"});
   for (const std::vector<diagnosis::NamedPeak>& peaks : {study.view.envelope_peaks, study.view.spectrum_peaks}) {

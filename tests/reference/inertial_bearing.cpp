@@ -182,14 +182,15 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   on_roller.add(roller, touch, -load * towards_race + friction);
   on_race.add(race, touch, load * towards_race - friction);
 
-  // A slope pushes the roller through its centre, as work on it says: load times the change of the gap.
+  // A slope pushes the roller through its centre, as the work on it requires: load times the change of the
+  // gap.
   on_roller.force += load * steep / distance * tangent;
   on_race.add(race, roller.position, -load * steep / distance * tangent);
   for (std::size_t i = 0; outside && i < b.rim.size(); ++i)
     on_rim[i] += load * std::polar(1.0, b.rim[i].order * (position - rim.carrier.angle));
 
-  // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps forces and
-  // moments of both in balance goes through the centres.
+  // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps both in
+  // equilibrium of forces and moments passes through the centres.
   const double drag = inlet_drag(b, radius, speed, load) * rolling / speed;
   const double roller_arm = along(touch - roller.position, outward);
   const double race_arm = along(touch - race.position, outward);

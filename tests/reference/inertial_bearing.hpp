@@ -1,8 +1,8 @@
-// The planet bearing once more, and differently: as an engineer would write it who had seen the equations and
-// none of the program. An inertial frame with its origin on the carrier's axis, Cartesian coordinates,
-// absolute speeds, so that no fictitious force exists to be forgotten or to have a wrong sign; contact
-// kinematics from the velocities of two points; films found by bisection, the land's film by quadrature. Slow
-// and plain. It includes nothing of the library. Points and vectors of the plane are complex numbers.
+// A second, different program of the planet bearing, as an engineer would write it from the equations without
+// the first. An inertial frame with its origin on the carrier's axis, Cartesian coordinates, absolute speeds,
+// so that no fictitious force can be left out or have a wrong sign; contact kinematics from the velocities of
+// two points; films found by bisection, the land's film by quadrature. Slow and plain. It includes nothing of
+// the library. Points and vectors of the plane are complex numbers.
 #pragma once
 
 #include <complex>

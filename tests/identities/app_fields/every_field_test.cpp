@@ -286,7 +286,7 @@ TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
     EXPECT_NE(result(setting), plain) << setting;
 }
 
-// Rows say one thing of each analysis.
+// A row states one status for each analysis.
 TEST(FieldUse, AnalysesOfARowAreDisjoint) {
   for (const Field& field : all_fields()) {
     SCOPED_TRACE(field.path);

@@ -238,7 +238,7 @@ void check_oil(const Values& values) {
     expect_equal(number(with, column), number(without, column), column, 1e-12);
   EXPECT_FALSE(without.rating.lives.oil);
   ASSERT_TRUE(with.rating.lives.oil);
-  // Bearings that are alike live together as their own modified lives say.
+  // Equal bearings have the combined life of their own modified lives.
   if (with.planets.empty() && with.seats.empty())
     expect_equal(number(with, "system_L10mh"), bearing::system_life(number(with, "L10mh"), 4), "of four");
   if (!with.seats.empty()) {
@@ -442,8 +442,8 @@ TEST(LeastFilm, FollowsTheLargestLoadAlone) {
   EXPECT_NEAR(exponent({{"bearing.radial_clearance", "0 um"}}, 1.1 * kPower) / by_power, 1.0, radii);
 }
 
-// A pin that leans outward tilts its bearings in that plane, one that leans ahead in the other, and the file
-// of the point says so under the names of its variables.
+// A pin inclined outward tilts its bearings in that plane, one inclined ahead in the other, and the file of
+// the point has both under the names of its variables.
 TEST(TiltsOfAFile, HaveTheirDirections) {
   const auto tilts = [](const char* direction) {
     const ResolvedCase in = resolved({{"bearing.laminae", "10"},

@@ -604,7 +604,7 @@ inline Change quantity_change(const std::string& given) {
 }
 
 /// Whether the case refuses any other value of the field: a rim that bends and a tilt that is computed are
-/// for one set whose planets carry alike.
+/// for one set whose planets carry equal loads.
 inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
   const bool rim = field.path == "gearset.planet_rim";
   const bool of_tilt = field.path == "bearing.tilt_state" || field.path == "bearing.axial_places" ||

@@ -33,7 +33,7 @@ std::vector<Machine> machines() {
           {"gears_with_a_driven_ring", false, {"input.member=carrier", "gearset.fixed=sun"}}};
 }
 
-// Far enough to be seen, near enough to be allowed.
+// Far enough for a visible change, near enough to be allowed.
 double other_value(const fmu::ShownField& field) {
   if (field.facts.name == "contact.roughness")
     return 5.0 * field.start;  // it bounds films that are thicker here

@@ -196,7 +196,7 @@ TEST(CatalogueBearing, ResolvedCaseReadAgainIsTheSame) {
   }
 }
 
-// As an oil's grade: what is stated beside it has no effect, and that is said.
+// As with an oil's grade: values stated with it have no effect, which is reported.
 TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
   const ResolvedCase in =
       of(kByDesignation, {"bearing.pitch_diameter=40 mm", "bearing.radial_clearance=12 um"});
@@ -212,7 +212,7 @@ TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf)
 TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}),
               ElementsAre(HasSubstr("'NU 9999' is not in the catalogue")));
-  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU204"}), IsEmpty());  // blanks do not count
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU204"}), IsEmpty());  // blanks are ignored
   for (const char* written : {"nu-204", "NU 204 QX"})
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + written}),
                 ElementsAre(HasSubstr("nearest: NU 204, ")))

@@ -51,7 +51,7 @@ std::vector<std::string> beyond_one_percent(Family family) {
   return beyond;
 }
 
-// The rules never see C of any roller bearing, and C_0 of none but the bearing itself.
+// The rules use C of no roller bearing, and C_0 of none but the bearing itself.
 TEST(CatalogueLines, DynamicRatingsOfRollerBearingsArePredicted) {
   EXPECT_THAT(beyond_one_percent(Family::cylindrical),
               UnorderedElementsAre("NU 216", "NU 2216", "NU 316", "NU 2316", "NU 319", "NU 224", "NU 2332",

@@ -33,7 +33,7 @@ std::string with(std::string text, const std::string& present, const std::string
   return text;
 }
 
-// A text that says everything by former names is the same case, its reasons included.
+// A text with former names throughout is the same case, its reasons included.
 TEST(FormerKeys, ACaseThatWasWrittenWithThemIsTheSameCase) {
   const std::string form = "bearing:\n  outer_race: {out_of_roundness: {order: [2], amplitude: [1 um]}}\n";
   const std::string now = with(text_of(shipped_path()), "\nbearing:\n", "\n" + form);

@@ -1,4 +1,4 @@
-// Load spectra in cases: rows, files of rows, and what is said of wrong ones.
+// Load spectra in cases: rows, files of rows, and messages on wrong ones.
 #include "app/case/spectrum_case.hpp"
 
 #include <gmock/gmock.h>

@@ -60,7 +60,7 @@ TEST(CrownOptions, GoThroughJsonUnchanged) {
   EXPECT_EQ(options_text({}), "crown --starts 10");
 }
 
-// Crowns use life.method where no option states another life. C and P are alike for all crowns.
+// Crowns use life.method where no option states another life. C and P are the same for all crowns.
 TEST(CrownOptions, LifeIsThatOfTheCase) {
   using study::crowning::LifeMethod;
   const auto measure = [](const std::string& method, const std::string& option) {

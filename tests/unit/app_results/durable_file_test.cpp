@@ -35,7 +35,7 @@ class Limit {
   rlimit former_{};
 };
 
-/// While it lives no file grows beyond `bytes`: the disk is full, as seen from this program.
+/// While it exists no file grows beyond `bytes`: to this program the disk is full.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : limit_(RLIMIT_FSIZE, bytes) {

@@ -1,4 +1,4 @@
-// Who may write into a folder: nothing may be touched where the answer is no.
+// Permission to write into a folder: nothing may be touched where it is refused.
 #include "app/results/result_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -55,8 +55,8 @@ TEST(Derivatives, WithoutClearanceAreThePowersOfTheLifeEquation) {
   EXPECT_THAT(balls.without_effect, Contains("material.youngs_modulus"));
 }
 
-// Loads of rollers follow no capacity, and inertia goes with the square of the speed while gear forces go
-// with P / n: L(P, n) in revolutions over n is homogeneous where P ~ n^3.
+// Loads of rollers do not depend on capacities, and inertia is proportional to the square of the speed while
+// gear forces are proportional to P / n: L(P, n) in revolutions over n is homogeneous where P ~ n^3.
 TEST(Derivatives, OfAReducerWithoutClearanceScale) {
   const Derivatives found = by_all(shipped("reducer_150kW"));
   EXPECT_EQ(found.quantity, "life_h");

@@ -1,5 +1,4 @@
-// Records over time made into spectra: sums that must be kept, constant loads, rest, and what is said of
-// wrong records.
+// Records over time made into spectra: conserved sums, constant loads, rest, and messages on wrong records.
 #include "app/study/load_series.hpp"
 
 #include <gmock/gmock.h>
@@ -136,7 +135,7 @@ TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
   LoadSeries series = wavy(50);
   for (double& torque : series.torque) torque = 240.0 * (1.0 + 1e-15);
   for (double& speed : series.speed) speed = 600.0;
-  series.torque[3] = 240.0;  // round-off of whoever wrote it
+  series.torque[3] = 240.0;  // round-off of the writing program
   const BinnedSeries found = binned(series, {8, 8});
   ASSERT_EQ(found.spectrum.bins.size(), 1U);
   EXPECT_NEAR(found.spectrum.bins[0].power, 240.0 * 600.0, kRoundOff * 240.0 * 600.0);

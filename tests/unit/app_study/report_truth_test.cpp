@@ -40,7 +40,7 @@ TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
     for (const diagnosis::NamedFrequency& mode : there.modes)
       if (mode.name == resonance.mode)
         nearest = std::min(nearest, std::abs(mode.frequency - resonance.frequency) / resonance.frequency);
-    constexpr double solved = 1e-8;  // of the search, and of the balance behind the stiffness
+    constexpr double solved = 1e-8;  // of the search, and of the equilibrium of the stiffness
     EXPECT_LT(nearest, solved) << resonance.mode << " at " << resonance.speed * kRpm << " rpm";
     EXPECT_NEAR(resonance.harmonic * there.mesh_frequency / resonance.frequency, 1.0, solved);
   }

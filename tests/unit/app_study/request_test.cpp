@@ -88,7 +88,7 @@ TEST(PublicInterface, CaseAndPoints) {
   EXPECT_THAT(points.status.back(), HasSubstr("input.power"));
 }
 
-// Advanced in one step or in two, a bearing arrives at one state; a state that is restored goes on alike.
+// Advanced in one step or in two, a bearing arrives at one state; a state that is restored continues equally.
 TEST(PublicInterface, Participants) {
   const Case reducer = Case::read(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml");
   Participant bearing = Participant::bearing(reducer);

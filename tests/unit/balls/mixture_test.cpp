@@ -49,7 +49,7 @@ TEST(Mixture, AngularMomentumIsBalanced) {
   EXPECT_LT(speed, kShaft);
 }
 
-// Limits: nothing holds it back, so it goes with the cage and nothing is churned.
+// Limits: nothing holds it back, so it rotates with the cage and nothing is churned.
 TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   MixtureNumbers m = jet();
   m.width = m.flow = 0.0;

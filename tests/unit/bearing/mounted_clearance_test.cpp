@@ -78,7 +78,7 @@ TEST(MountedClearance, OfWarmRingsThatSitLoosely) {
   EXPECT_NEAR(chain.warm, -8.1972 * kUm, kPublished * 8.0 * kUm);
 }
 
-// Heat alike everywhere makes all lengths longer by one factor, the clearance and the interferences too.
+// Equal heat everywhere makes all lengths longer by one factor, the clearance and the interferences too.
 TEST(MountedClearance, GrowsWithAllLengthsWhereAllIsAlikeWarm) {
   Mounting mounting = on_the_shelf(40.0 * kUm);
   mounting.inner_interference = mounting.outer_interference = 8.0 * kUm;
@@ -123,7 +123,7 @@ TEST(MountedClearance, OfASpinningDiscByTheTextbook) {
   EXPECT_NEAR(displacement(disc, 0.1), expected, kRoundOff * expected);
 }
 
-// Pressed together at speed, both go on as one ring: no interference, equal strains at the seat.
+// Pressed together at speed, both act as one ring: no interference, equal strains at the seat.
 TEST(MountedClearance, OfASpinningRingInItsPlanetIsThatOfOneBody) {
   Surroundings around = kRim;
   around.planet_speed = 2000.0;

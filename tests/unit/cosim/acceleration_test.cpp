@@ -34,7 +34,7 @@ TEST(QuasiNewton, SolvesOneUnknownInThree) {
   EXPECT_EQ(passes(secant, MatrixXd::Constant(1, 1, -3.0), VectorXd::Ones(1), 50), 3);
 }
 
-// As many differences as unknowns are exact: n + 1 passes for them, one to see it.
+// As many differences as unknowns are exact: n + 1 passes for them, one to check it.
 TEST(QuasiNewton, SolvesAsManyUnknownsAsItHasDifferences) {
   QuasiNewton secants(0);
   EXPECT_LE(passes(secants, expanding(6), VectorXd::LinSpaced(6, 1.0, 2.0), 50), 8);

@@ -90,7 +90,8 @@ TEST(Scratch, BendsAreTheSlopesOfSlopes) {
     }
 }
 
-// A measured groove with two sharp edges and a floor out of reach is what a rigid element makes of two edges.
+// A measured groove with two sharp edges and a floor out of reach equals the path of a rigid element over two
+// edges.
 TEST(Scratch, AMeasuredProfileIsRolledOverByTheArcOfTheElement) {
   const BearingGeometry geometry = geometry_of(nine_balls().bearing);
   Scratch measured{.race = Scratched::inner, .width = kWidth, .depth = 1e-3, .form = ScratchForm::profile};

@@ -108,7 +108,7 @@ TEST(AlignedPitch, StiffnessIsTheSlopeOfTheForces) {
   }
 }
 
-// From the balances under another load, near and far.
+// From the equilibria under another load, near and far.
 TEST(AlignedPitch, BalancesFromNeighboursAreTheSame) {
   RandomBearings bearings;
   int from_near = 0, by_itself = 0;
@@ -135,7 +135,7 @@ TEST(AlignedPitch, BalancesFromNeighboursAreTheSame) {
       }
     }
   }
-  EXPECT_LT(2 * from_near, by_itself);  // or it would not pay
+  EXPECT_LT(2 * from_near, by_itself);  // or it would have no advantage
 }
 
 TEST(AlignedPitch, EveryInstructionSetGivesTheSameBits) {

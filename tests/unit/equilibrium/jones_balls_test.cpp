@@ -206,7 +206,8 @@ TEST(JonesBalls, ForcesAtTheContactsHoldTheMoments) {
   }
 }
 
-// A bearing turned about its axis carries a turned load alike: one ball pitch further nothing has changed.
+// A bearing rotated about its axis carries an equal, rotated load: one ball pitch further nothing has
+// changed.
 TEST(JonesBalls, OnePitchFurtherNothingChanges) {
   Bearing bearing = bearing_218();
   const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};

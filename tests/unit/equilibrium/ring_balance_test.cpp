@@ -1,4 +1,4 @@
-// Forces of static bearings have an energy; balances hold for any load.
+// Forces of static bearings have an energy; equilibria exist for any load.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -156,7 +156,7 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
   }
 }
 
-// A relief on a race counts once, that of the rollers twice: once at either race.
+// A relief on a race acts once, that of the rollers twice: once at either race.
 TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
   Bearing on_rollers = rollers(), on_races = rollers();
   on_races.rollers().profile = profile::Straight{};
@@ -239,7 +239,7 @@ TEST(StaticBalls, AFullPitchOfTheFirstElementChangesNothing) {
   EXPECT_NEAR(one.contact_load[2], other.contact_load[0], 1e-6);
 }
 
-// Eight balls look alike in both planes, so without a radial load the answers to both moments are alike.
+// Eight balls are equal in both planes, so without a radial load the tilts under both moments are equal.
 TEST(StaticBalls, AMomentAcrossTiltsAcross) {
   const RingState along = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment = 4.0});
   const RingState across = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment_across = 4.0});

@@ -121,8 +121,8 @@ TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
   EXPECT_GT(fast_state.contact_angle.abs().minCoeff(), fast_state.outer_angle.abs().maxCoeff());
 }
 
-// Each row of a tandem keeps its load: balls that are thrown outward leave the sum of the axial forces as it
-// was.
+// Each row of a tandem keeps its load: centrifugal loads of balls leave the sum of the axial forces
+// unchanged.
 TEST(RowGroup, ATandemAtSpeedKeepsItsPreload) {
   const duplex::Pair pair{.bearing = angular_balls(),
                           .arrangement = duplex::Arrangement::tandem,

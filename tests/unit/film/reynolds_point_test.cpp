@@ -153,8 +153,8 @@ TEST(ReynoldsPoint, SolvesHeavilyLoadedSlenderEllipsesAlsoWithMuchSpin) {
   EXPECT_TRUE(solve_point_film(six).converged);
 }
 
-// Surfaces that turn against each other ten times as fast as they roll, and a film of a tenth of a squared
-// step: no solution, and it is said before anybody loses patience.
+// Surfaces that rotate against each other ten times as fast as they roll, and a film of a tenth of a squared
+// step: no solution, which is reported in reasonable time.
 TEST(ReynoldsPoint, WhatIsNotSolvedIsGivenUp) {
   PointFilmCase turns = of_groups(1e-11, 1e-6, 6.0), thin = of_groups(1e-14, 1e-4, 1.0);
   turns.spin = 20000.0;

@@ -127,8 +127,8 @@ TEST(InletHeating, OfBallsLowersTheLossByRollingAlone) {
               1e-6 * cold.rolling);
 }
 
-// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that the
-// fit has not seen, one beyond its range: the first moment of the pressure.
+// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that are
+// not in the fit, one beyond its range: the first moment of the pressure.
 TEST(BallRolling, IsThatOfReynoldsEquation) {
   struct Contact {
     double viscosity, load, speed, radius_ratio;

@@ -51,7 +51,7 @@ TEST(PalmgrenTorque, IsConstantAtLowSpeed) {
   EXPECT_NEAR(slow, 160e-7 * 2.0 * 64e3 * 1e-3, 1e-12);
 }
 
-// A heavy axial load counts 3.3 times on balls, and never less than the radial one.
+// A heavy axial load has the factor 3.3 on balls, and never counts less than the radial one.
 TEST(PalmgrenTorque, TakesAxialLoadsOfBalls) {
   EXPECT_DOUBLE_EQ(palmgren_factors(ball_bearing(), at(1.0, 1.0, 100.0, 1000.0)).load, 3290.0);
   EXPECT_DOUBLE_EQ(palmgren_factors(ball_bearing(), at(1.0, 1.0, 100.0, 10.0)).load, 100.0);

@@ -1,5 +1,5 @@
-// Inlets of rollers that end by the balance of their oil; starvation by SKF's factor; oil that its friction
-// heats.
+// Inlets of rollers limited by the balance of their oil; starvation by SKF's factor; oil heated by its
+// friction.
 #include "bearing/friction/replenishment.hpp"
 
 #include <gtest/gtest.h>
@@ -154,7 +154,7 @@ TEST(ReplenishedRollers, ResistMoreTheMoreOilReturns) {
   EXPECT_LT(rollers.with({.end = InletEnd::replenished}, {.oil_share = 1e-12}).rolling, 0.01 * before);
 }
 
-// All races and rollers alike: ln of the share left is as 1/X, so as the third root of the share of oil.
+// All races and rollers equal: ln of the remaining share is as 1/X, so as the third root of the share of oil.
 TEST(ReplenishedRollers, LoseByTheThirdRootOfTheOil) {
   const Lossy rollers;
   const auto far = [&](double share) {

@@ -34,7 +34,7 @@ TEST(Deflection, OfThePlanetOnTheXAxis) {
   EXPECT_EQ(ring.planet.z(), -1.0);
 }
 
-// A shift of all bodies alike leaves every deflection as it is; only turning members press the teeth.
+// An equal shift of all bodies leaves every deflection unchanged; only rotating members press the teeth.
 TEST(Deflection, IgnoresACommonShift) {
   for (const double psi : {0.0, 1.1, 4.0})
     for (const Flank flank : {Flank::driving, Flank::back})

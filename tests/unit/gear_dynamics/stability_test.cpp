@@ -70,7 +70,7 @@ TEST(LargestGrowth, IsThatOfTheEquations) {
   EXPECT_LT(growing, 9);
 }
 
-// Dampers that take energy are not enough: springs that are not alike across give it.
+// Dampers that dissipate energy are not enough: springs with different stiffness across supply it.
 TEST(LargestGrowth, SeesSpringsThatGiveEnergy) {
   EXPECT_LE(largest_growth(model_on(law(3e8, 0.0, 500.0))), 0.0);
   EXPECT_GT(largest_growth(model_on(law(3e8, 3e8, 500.0))), 0.0);

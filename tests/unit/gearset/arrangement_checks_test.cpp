@@ -56,7 +56,7 @@ TEST(ArrangementProblems, NameFloatingMembers) {
   EXPECT_THAT(only_problem(nowhere).found, HasSubstr("transmission.ring on no shaft"));
 }
 
-// A ring that nothing holds leaves its set without torque; all else goes on as without that set.
+// A ring that nothing holds leaves its set without torque; the rest continues as without that set.
 TEST(ArrangementProblems, AreNoneForAnIdleSet) {
   Arrangement idle = reducer_alone();
   idle.sets.push_back(arranged("brake", 37, 22, 79));

@@ -46,7 +46,7 @@ TEST(ParallelStage, IsASetWhoseCarrierIsTheHousing) {
   const double carrier = -20.0 / 63.0 * set.sun_teeth / (set.sun_teeth + set.ring_teeth);
   EXPECT_NEAR(flow.sets[2].speed.ring / carrier, -50.0 / 17.0, round_off);
   EXPECT_EQ(flow.sets[2].speed.carrier, 0.0);
-  // Torques of both gears and the housing are in balance.
+  // Torques of both gears and the housing are in equilibrium.
   EXPECT_NEAR(flow.sets[1].torque.sun + flow.sets[1].torque.ring + flow.sets[1].torque.carrier, 0.0,
               10.0 * round_off);
   EXPECT_NEAR(flow.sets[1].torque.carrier, -(1.0 + 63.0 / 20.0), 10.0 * round_off);

@@ -115,8 +115,8 @@ TEST(SteppedPlanet, OffsetTheOtherWayMirrorsTheCouple) {
   EXPECT_EQ(other.tangential_force, one.tangential_force);
 }
 
-// Planets that are alike find their spaces where psi (z_s z_p2 + z_r z_p1)/(2 pi gcd) is whole: here
-// (30 x 20 + 110 x 60)/20 = 360.
+// Equal planets find their spaces where psi (z_s z_p2 + z_r z_p1)/(2 pi gcd) is whole: here (30 x 20 + 110 x
+// 60)/20 = 360.
 TEST(SteppedPlanet, FindsItsSpacesAtItsOwnSteps) {
   PlanetarySet set = stepped_set();
   EXPECT_EQ(willis_teeth(set).positions(), 360);

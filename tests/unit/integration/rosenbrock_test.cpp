@@ -92,7 +92,7 @@ TEST(Rosenbrock4, ConvergesAtOrderFour) {
   expect_order<Rosenbrock4>(4.0, 20);
 }
 
-// x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives count as much as second ones.
+// x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives are as large as second ones.
 struct Pendulum {
   double slope = 0.0, g = 0.0;
 
@@ -230,7 +230,7 @@ TEST(Rosenbrock4, ControlledStepsKeepToTheAllowedError) {
   expect_controlled_steps<Rosenbrock4>(3.0);  // the order of the estimate
 }
 
-// Once it has forgotten, a stepper goes on as a new one: the same steps to the bit.
+// Once it has forgotten, a stepper continues as a new one: the same steps to the bit.
 TEST(Rosenbrock4, ForgetsTheErrorsBefore) {
   Hyperbola system;
   const auto steps_from = [&](Rosenbrock4& stepper, double t, State x) {

@@ -107,8 +107,8 @@ TEST(Damage, OfPureRollingIsThatOfTheLoadsByPosition) {
   EXPECT_LT((sums.inner.mean_load() - loads()).abs().maxCoeff(), 1000.0 * kRoundOff);
 }
 
-// A cage ahead by a hundredth: the pin sees a hundredth more rollers, the bore, which turns the same way and
-// faster, so many fewer.
+// A cage ahead by a hundredth: a hundredth more rollers pass the pin; so many fewer pass the bore, which
+// rotates the same way and faster.
 TEST(Damage, GoesWithTheSpeedOfTheCage) {
   const Bearing bearing = test::reducer_bearing();
   const DamageSums sums = damage_at([](double) { return 1.01 * rolling_speed(); });
@@ -170,7 +170,7 @@ laminae::LaminaContact contact(double crown, int n) {
   return {{1.2e10}, kLength, drops};
 }
 
-// Laminae that carry alike live as the whole contact, whatever their number.
+// Laminae with equal loads have the life of the whole contact, whatever their number.
 TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
   Bearing bearing = test::reducer_bearing();
   for (const int n : {1, 7, 40}) {
@@ -186,8 +186,8 @@ TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
   }
 }
 
-// Against the sums written out: standing pin 4.5, turning bore 4, q_c = Q_c n^(-7/9), and the damping on all
-// laminae alike.
+// Against the sums written out: stationary pin 4.5, rotating bore 4, q_c = Q_c n^(-7/9), and the damping on
+// all laminae equally.
 TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   constexpr int kLaminae = 12;
   Bearing bearing = test::reducer_bearing();

@@ -108,7 +108,7 @@ TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   EXPECT_NEAR(one.reference.inner / thirty.reference.inner, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.reference.outer / thirty.reference.outer, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.modified_reference.bearing / thirty.modified_reference.bearing, 1.0, kSumsOfPowers);
-  // A cut bearing whose laminae carry alike may give the whole loads.
+  // A cut bearing whose laminae carry equal loads may give the whole loads.
   const RatingLives of_whole =
       rating_lives(bearing_rating(cut, kPrintedFormula), condition, of_rollers(kInner, even_shares(1)),
                    of_rollers(kOuter, even_shares(1)));
@@ -131,7 +131,7 @@ TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
   EXPECT_NEAR(motion.modified_reference.bearing / rest.modified_reference.bearing, 1.0, kSumsOfPowers);
 }
 
-// L10 goes with P^(-10/3), L10r with the load's fourth power: (9/2)(8/9) = 4.
+// L10 is proportional to P^(-10/3), L10r to the load's fourth power: (9/2)(8/9) = 4.
 TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   const Bearing bearing = example_bearings::planet_bearing();
   const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
@@ -150,13 +150,13 @@ TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   EXPECT_NEAR(of_balls(1.0).reference.bearing / of_balls(2.0).reference.bearing, 8.0, 1e-8);
 }
 
-// The part of a lamina in P_k of (2): with both races alike and no stress riser the load that all laminae
-// show is 0.323 Z n q, whatever the weights of the races.
+// The part of a lamina in P_k of (2): with both races equal and no stress riser the load from all laminae is
+// 0.323 Z n q, whatever the weights of the races.
 TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 3;
   const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
-  // The middle lamina alone is loaded, where f_k = 1, and alike all round.
+  // Only the middle lamina is loaded, where f_k = 1, and equally all round.
   const Eigen::ArrayXd middle{{0.0, 100.0, 0.0}};
   const ElementLoads loads = of_rollers(Eigen::ArrayXd::Ones(15), middle);
   const RatingLives lives = rating_lives(rating, under(1.0, OilCondition{1.0, 0.5}), loads, loads);

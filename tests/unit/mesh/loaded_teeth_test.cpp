@@ -349,7 +349,7 @@ TEST(ToothPairs, TablesHoldTheGeometryBetweenTheirSamples) {
                          gear_compliance(gears.second, touch.second).sum() - teeth.shared();
       stiffness = std::max(stiffness, std::abs(teeth.stiffness().value(share) * all - 1.0));
     }
-    EXPECT_LT(largest, 20e-9);  // [m]  a thousandth of usual deflections
+    EXPECT_LT(largest, 20e-9);  // [m]  a thousandth of typical deflections
     EXPECT_LT(stiffness, 1e-3);
   }
 }

@@ -31,7 +31,7 @@ BearingModel lightly_loaded(double oil_share, bool land = false, bool rolling_re
   return model;
 }
 
-// All rollers alike, `total` [N] on each race.
+// All rollers equal, `total` [N] on each race.
 LoadsOfOrbit even(double inner, double outer) {
   return {Eigen::ArrayXd::Constant(60, inner / 15.0), Eigen::ArrayXd::Constant(60, outer / 15.0)};
 }

@@ -98,7 +98,7 @@ TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
 // motion.
 TEST_P(DrivenBore, PowerAtTheBoreIsStoredOrLost) {
   BearingModel model = bearing_model(bearing, point, parameters);
-  model.bore_mass = 0.0;  // its inertia belongs to whoever moves it
+  model.bore_mass = 0.0;  // its inertia belongs to the driving system
   vectorised::VectorBearing equations(model);
   int kinked = 0;
   for (int i = 0; i < kStates; ++i) {

@@ -94,7 +94,7 @@ TEST(BearingModel, RippleAddsItsHarmonics) {
   EXPECT_LT((bore_load_slope(model, 0.003) - difference).norm(), 1e-6 * difference.norm());
 }
 
-// The run begins in balance: the quasi-static loads are those the equations see, film or not.
+// The run begins in equilibrium: the quasi-static loads are those of the equations, film or not.
 TEST(InitialState, CarriesTheQuasiStaticLoads) {
   for (bool film : {false, true}) {
     const Bearing bearing = test::reducer_bearing();

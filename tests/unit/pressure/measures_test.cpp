@@ -151,7 +151,7 @@ TEST(Elasticity, TwoEqualBodiesHaveHalfTheModulusOfOne) {
 }
 
 TEST(Elasticity, MirrorFactorOfSteelByHand) {
-  // 1.29 - (0.08 - 0.15)/0.7 for the roller; the race goes on, so half of it.
+  // 1.29 - (0.08 - 0.15)/0.7 for the roller; the race continues, so half of it.
   EXPECT_NEAR(mirror_factor(EndSurface::corrected, 0.3), 1.39, kRoundOff);
   EXPECT_NEAR(mirror_factor(reducer_roller()), 0.695, kRoundOff);
   EXPECT_EQ(mirror_factor(reducer_roller(EndSurface::continuing)), 0.0);

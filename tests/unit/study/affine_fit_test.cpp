@@ -75,8 +75,8 @@ TEST(AffineFit, ReturnsALinearBearingToRoundOff) {
   EXPECT_LT(fit.law(expected_law(), damped).stiffness_change, round_off);
 }
 
-// Rollers add forces of their own, and the bore's mass answers them with motion that is out of all proportion
-// to the law; a fit of forces over motion, sample by sample, finds something between the law and that mass.
+// Rollers add forces of their own, to which the bore's mass responds with motion out of all proportion to the
+// law; a fit of forces over motion, sample by sample, finds something between the law and that mass.
 TEST(AffineFit, DoesNotTakeTheBoresMassForTheBearing) {
   const double mass = 0.04, own = 0.37 * kMeshFrequency, shake = 60.0;  // [kg], [rad/s], [N]
   const AffineBearing law = planted_law();

@@ -105,7 +105,8 @@ TEST(BallRun, SamplesWhereItSaysAndBalancesTheLoad) {
   EXPECT_GT(result.means.life.bearing, 0.0);
 }
 
-// Under an axial load balls press on both races at the angle of the static balance, where they hardly turn.
+// Under an axial load balls press on both races at the angle of the static equilibrium, where they hardly
+// rotate.
 TEST(BallRun, ContactAnglesOfBothRacesAreThoseOfTheStaticBalance) {
   const bearing::Bearing b = small_ball_bearing(20e-6);
   BallDuty duty;

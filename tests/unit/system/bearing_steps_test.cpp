@@ -92,7 +92,7 @@ TEST(ThirdOrderSteps, AreBoundByTheRingWhereOilIsInThePockets) {
   EXPECT_GT(longest(3e7), longest(3e8));
 }
 
-// All variables alike, and no weight for those that bounce.
+// All variables equally, and no weight for those that bounce.
 TEST(FourthOrderSteps, WeighAllVariablesAlike) {
   bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.squeeze = true;

@@ -105,7 +105,7 @@ Eigen::VectorXd at(double of_balls, double inner, double outer) {
   return of({of_balls, inner, outer, 50.0, 30.0});
 }
 
-// Warm alike all through, the bearing is a larger one of the same shape.
+// At one temperature throughout, the bearing is a larger one of the same shape.
 TEST(HeatedBalls, EvenHeatingScalesTheFreeBearing) {
   Small small;
   for (const double angle : {0.0, 0.4}) {
@@ -154,8 +154,8 @@ TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
   EXPECT_NEAR(warm.outer.play + warm.radius, by[2] * (cold.outer.play + cold.radius), 1e-15);
 }
 
-// Heat capacities made so small that the bearing is warm after a tenth of a second: followed step by step, and
-// by looks of a millisecond at every fifth.
+// Heat capacities made so small that the bearing is warm after a tenth of a second: integrated step by step,
+// and by samples of a millisecond at every fifth.
 TEST(HeatedBalls, AveragingIsTheDirectIntegration) {
   Small small;
   HeatParameters heat{.on = true};

@@ -33,7 +33,7 @@ bool steady_after(bearing::motion::RaceStatistics WindowStatistics::*race, doubl
   return is_steady(window(), now, kCageSpeed, {.integration = {}});
 }
 
-// Each of the three means alone can say that it drifts, up as well as down.
+// Drift of any one of the three means is detected, up as well as down.
 TEST(Steady, AsksBothRacesAndTheCage) {
   EXPECT_TRUE(is_steady(window(), window(), kCageSpeed, {.integration = {}}));
   for (const double sign : {-1.0, 1.0}) {
@@ -46,7 +46,7 @@ TEST(Steady, AsksBothRacesAndTheCage) {
   }
 }
 
-// Three unlike bearings, the greatest and the least of all in neither the first nor the last.
+// Three different bearings, the greatest and the least of all in neither the first nor the last.
 TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
   std::vector<WindowStatistics> bearings;
   for (const double size : {1.0, 3.0, 2.0}) {
@@ -183,7 +183,7 @@ TEST(RunToSteadyState, PoolsBearingsAndKeepsASeriesOfTheFirst) {
   EXPECT_EQ(run.series.inner_load(2, 9), 3.0);
 }
 
-// All bearings show a state at the look, whatever number of samples a window has.
+// All bearings give a state at the look, whatever number of samples a window has.
 TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
   for (const long samples : {3L, 7L, 500L}) {
     SteadyStateOptions options = kShortRun;

@@ -1,5 +1,5 @@
-// The bearing with a driven or open bore: all instruction sets alike, and its linear algebra against that of
-// the free bore.
+// The bearing with a driven or open bore: equal results of all instruction sets, and its linear algebra
+// against that of the free bore.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
