@@ -1,5 +1,5 @@
-// What the program reads beside itself: libraries of FMUs, shipped cases and templates, the Python package;
-// and who runs that.
+// Resources of the program: libraries of FMUs, shipped cases and templates, the Python package and its
+// interpreter.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,16 @@
 
 namespace orbearing::app {
 
-/// Where things stand. The default is that of a program called orbearing in a folder "bin".
+/// Locations of resources. The default is that of a program called orbearing in a folder "bin".
 struct Resources {
-  /// A build folder, or the prefix of an installation. Libraries of FMUs stand in its "lib/orbearing/fmu", cases
-  /// of an installation in "share/orbearing/cases".
+  /// A build folder, or the prefix of an installation. Libraries of FMUs are in its "lib/orbearing/fmu",
+  /// cases of an installation in "share/orbearing/cases".
   std::filesystem::path folder;
   std::filesystem::path package;      // holds the folder "orbearing" of the Python package
   std::filesystem::path interpreter;  // of Python
 };
 
-/// Of a build folder or an installation.
+/// Resources of a build folder or an installation.
 Resources resources_of(const std::filesystem::path& folder);
 
 const Resources& resources();

@@ -1,5 +1,5 @@
-// The reducer of [Gai2025] with gears and bearings that act on each other, smooth enough for orders to be
-// seen: mesh stiffness that swings without jumps.
+// The reducer of [Gai2025] with gears and bearings that act on each other, smooth enough for tests of orders:
+// mesh stiffness that varies without jumps.
 #pragma once
 
 #include <cmath>

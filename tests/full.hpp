@@ -1,4 +1,4 @@
-// Whether all is asked for, as by tools/test --full, or the part that is tested with every change.
+// Whether all tests are requested, as by tools/test --full, or the part that is tested with every change.
 #pragma once
 
 #include <cstdlib>

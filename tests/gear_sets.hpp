@@ -14,7 +14,7 @@
 
 namespace orbearing::gearset::dynamics::test {
 
-/// The set of [LinParker1999] with its carrier at rest: table of parameters of that paper.
+/// The set of [LinParker1999] with a stationary carrier: table of parameters of that paper.
 inline SetParameters lin_parker(int planets) {
   const Support elastic{.stiffness = 1e8};
   const double angle = 24.6 * std::numbers::pi / 180.0;

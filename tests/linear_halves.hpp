@@ -2,8 +2,8 @@
 // spring and a damper answers with a force. Both halves move exactly under any polynomial, so that all that
 // is left of an error is the coupling's; the whole has a closed form.
 //
-//   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends in
-//   the wall
+//   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends
+//                                                        in the wall
 //
 #pragma once
 
@@ -44,7 +44,7 @@ inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& 
     for (Eigen::Index k = 0; k < powers; ++k)
       all.col(n + k).head(n) +=
           by_input.col(i) * inputs[static_cast<std::size_t>(i)].coefficient[static_cast<std::size_t>(k)];
-  // Large inputs stand in the start, since the exponential loses digits where columns differ in size.
+  // Large inputs are in the start vector, since the exponential loses digits where columns differ in size.
   const double size = std::max(1.0, all.rightCols(powers).cwiseAbs().maxCoeff());
   all.rightCols(powers) /= size;
   for (Eigen::Index k = 1; k < powers; ++k)
@@ -97,7 +97,7 @@ class MassHalf : public LinearHalf {
   LinearPair pair_;
 };
 
-/// Gives the force of the joint; state (z, z') of the mass behind it, at rest at first.
+/// Gives the force of the joint; state (z, z') of the mass behind it, zero at first.
 class ForceHalf : public LinearHalf {
  public:
   explicit ForceHalf(const LinearPair& pair)

@@ -1,6 +1,6 @@
-// One program for all kinds of C++ tests. Beside the patterns of GoogleTest, --gtest_filter takes a folder or
-// a file of tests/: --gtest_filter=unit/bearing/ or --gtest_filter=unit/life/damage_test.cpp means the tests
-// that stand there.
+// One program for all kinds of C++ tests. Besides the patterns of GoogleTest, --gtest_filter takes a folder
+// or a file of tests/: --gtest_filter=unit/bearing/ or --gtest_filter=unit/life/damage_test.cpp means the
+// tests in it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string tests_in(const std::string& folder_or_file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Issue 44, item 15: tests raise SIGINT; a parent that ignores it, as nohup does, passes that on.
+  // Tests raise SIGINT; a parent that ignores it, as nohup does, passes that on.
   std::signal(SIGINT, SIG_DFL);
   testing::InitGoogleMock(&argc, argv);
   const std::string filter = GTEST_FLAG_GET(filter);

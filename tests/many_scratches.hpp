@@ -1,5 +1,5 @@
-// Scratches of every kind that a motion integrates through, so many that rollers at random stand on some of
-// them.
+// Scratches of every kind that a motion integrates through, so many that rollers at random positions are on
+// some of them.
 #pragma once
 
 #include <vector>

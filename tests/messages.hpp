@@ -10,7 +10,7 @@
 
 namespace orbearing::messages {
 
-/// What `call` throws as an `Error` says.
+/// Message of the `Error` that `call` throws.
 template <class Error, class Call>
 std::string refusal(Call&& call) {
   try {
@@ -23,7 +23,7 @@ std::string refusal(Call&& call) {
   return "nothing was refused";
 }
 
-/// Whether the table holds `text` beside `id`, where one text stands, or one for each turn of a loop.
+/// Whether the table has `text` under `id`: one text, or one for each turn of a loop.
 inline bool is_expected(const std::string& id, const std::string& text) {
   std::ifstream table(ORBEARING_SOURCE_DIR "/tests/messages.txt");
   std::string one_line = text;
@@ -41,9 +41,9 @@ inline bool is_expected(const std::string& id, const std::string& text) {
 
 }  // namespace orbearing::messages
 
-/// Fails unless `text` stands beside `id` in tests/messages.txt.
+/// Fails unless `text` is listed under `id` in tests/messages.txt.
 #define EXPECT_SAID(id, text) EXPECT_PRED2(::orbearing::messages::is_expected, std::string(id), std::string(text))
 
-/// Fails unless the call throws an `Error` that says what stands beside `id` in tests/messages.txt.
+/// Fails unless the call throws an `Error` with the text that is listed under `id` in tests/messages.txt.
 #define EXPECT_REFUSED(Error, id, ...) \
   EXPECT_SAID(id, ::orbearing::messages::refusal<Error>([&] { __VA_ARGS__; }))

@@ -48,8 +48,8 @@ class RandomMotion {
   }
 
  private:
-  // Loads in time are bounded by what the races stand: a pressure of some 4 GPa over the projected area of a
-  // roller.
+  // Loads in time are limited by the strength of the races: a pressure of some 4 GPa over the projected area
+  // of a roller.
   static constexpr double kLargestLoadPerArea = 2e8;  // [Pa]  of roller diameter times length
   static constexpr double kFastest = 100.0;     // [m/s]  of the pitch circle: 1.9 million rpm mm, beyond what
                                                 //        is sold
@@ -85,7 +85,7 @@ class RandomMotion {
         bearing.rollers().diameter_deviation.push_back(between(-5e-6, 5e-6));
   }
 
-  // Mostly a planet's bearing, else one in a housing at rest with either race turning.
+  // Mostly a planet's bearing, else one in a stationary housing with either race rotating.
   void draw_speeds(MotionDraw& draw) {
     draw.pitch_speed = chance(0.05) ? decades(0.2, 1.0) : decades(1.0, kFastest);
     const double speed = (chance(0.5) ? 1.0 : -1.0) * draw.pitch_speed / (0.5 * draw.bearing.pitch_diameter);

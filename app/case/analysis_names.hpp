@@ -1,4 +1,4 @@
-// Analyses as users know them.
+// Names of the analyses for users.
 #pragma once
 
 #include <string>

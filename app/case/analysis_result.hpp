@@ -1,4 +1,4 @@
-// What an analysis gives to whoever shows or keeps it.
+// Result of an analysis, for callers that show or store it.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace orbearing::app {
 
-/// What an analysis found. A record, from which whoever shows or keeps it makes what he needs.
+/// Result of an analysis: a record, from which each caller makes its own output.
 struct AnalysisResult {
   described::Record record;
   std::vector<std::string> warnings{};
@@ -22,7 +22,7 @@ struct AnalysisResult {
   bool failed = false;                                       // in parts
 };
 
-/// What a caller wants besides the result.
+/// Options of a caller besides the result.
 struct Wanted {
   std::function<void(double)> progress{};  // gets the share done
   bool files = false;                      // those of the folder

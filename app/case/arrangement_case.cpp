@@ -105,7 +105,7 @@ Arrangement one(const ResolvedCase& resolved) {
   return arrangement;
 }
 
-// Whether every word of every shaft means something, once; objects to those that do not.
+// Whether every word of every shaft is valid and unique; adds mistakes for the others.
 bool check_words(CheckedCase& resolved) {
   const std::size_t before = resolved.mistakes.size();
   for (const std::string& name : resolved.shape().shafts) {
@@ -124,7 +124,7 @@ bool check_words(CheckedCase& resolved) {
   return resolved.mistakes.size() == before;
 }
 
-// Where the problem is best mended: its first shaft, else a member that is on none, else the shafts.
+// Location of the problem for the message: its first shaft, else a member that is on none, else the shafts.
 Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
                    const gearset::ArrangementProblem& problem) {
   if (!problem.shafts.empty()) {
@@ -152,7 +152,7 @@ namespace {
 
 using gearset::SpeedOf;
 
-/// Of the member that `drive` states over that of the motor. [-]  0: it stands still
+/// Speed of the member divided by the speed of the motor. [-]  0: the member is stationary
 double ratio_to_motor(const ResolvedCase& resolved, SpeedOf member) {
   const Arrangement arrangement = arrangement_of(resolved);
   const gearset::PowerFlow flow = gearset::power_flow(arrangement);
@@ -180,9 +180,9 @@ bool is_of_several(SpeedOf member) {
   return member == SpeedOf::motor || member == SpeedOf::load;
 }
 
-constexpr double kStill = 1e-9;  // [-]  of the motor's speed: what round-off leaves of none
+constexpr double kStill = 1e-9;  // [-]  of the motor's speed: round-off of a zero speed
 
-// What states the torque of the shaft whose speed is input.speed; empty: nothing.
+// Path of the input that states the torque of the shaft whose speed is input.speed; empty: no input does.
 std::string stated_torque(const ResolvedCase& in) {
   for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
     if (is_stated(in, *path)) return *path;

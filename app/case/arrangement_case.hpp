@@ -18,11 +18,11 @@ gearset::Arrangement arrangement_of(const ResolvedCase& resolved);
 void check_arrangement(CheckedCase& resolved);
 
 /// Power, speed and where they enter, with the speed of the motor by kinematics where the case states that of
-/// another member. Of one of several sets by ResolvedCase::of_set() input.speed stands for the motor's.
+/// another member. For one of several sets by ResolvedCase::of_set() input.speed is the speed of the motor.
 gearset::Drive drive_of(const ResolvedCase& resolved);
 
-/// Objects to the speed of a member that stands still, of one member among several sets, and to the torque of
-/// a planet.
+/// Adds mistakes for the speed of a stationary member, of one member among several sets, and for the torque
+/// of a planet.
 void check_speed_of(CheckedCase& resolved);
 
 }  // namespace orbearing::app

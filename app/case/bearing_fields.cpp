@@ -29,7 +29,7 @@ constexpr const char *kKind = "bearing.profile.kind", *kDrop = "bearing.profile.
 // whole contacts, and the profile acts on lives by the standards alone.
 void add_profile(std::vector<Field>& fields) {
   Rows rows(fields, with_rollers);
-  // Where contacts are whole it acts on lives by the standards alone.
+  // Without laminae the profile affects lives only by the standards.
   const auto with_laminae = [](const Use& use) {
     return use.limited(app::use::fmu_bearing | app::use::planet_stiffness,
                        {where_given({"bearing.laminae"})});
@@ -38,7 +38,7 @@ void add_profile(std::vector<Field>& fields) {
   const Use depth = with_laminae(Use(but_crown, use::crown | gears_alone));  // crown varies it
   const Use table = with_laminae(Use(but_crown, gears_alone)).when(where(kKind, {"table"}));
   const auto of_kind = [&](const char* kind) { return profile.when(where(kKind, {kind})); };
-  // Its depth may be scaled: what the end and the load make of each other is the shape.
+  // Its depth may be scaled: the shape is determined by the end and the load.
   const std::vector<Condition> shape_beside_end_drop{where(kKind, {"fujiwara-kawase"}),
                                                      where_given({"bearing.profile.end_drop"})};
   // Its load follows from the drop, where none is stated.
@@ -102,7 +102,7 @@ void add_form(std::vector<Field>& fields, const std::string& block, const std::s
 }
 
 void add_forms(std::vector<Field>& fields) {
-  // The mean over one roller pitch knows like rollers and races that stand.
+  // The mean over one roller pitch assumes identical rollers and races that do not rotate.
   const Use waviness(use::rollers_in_motion, gears_alone, use::rollers_at_rest);
   const Use out_of_roundness =
       Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh)

@@ -1,5 +1,5 @@
-// What a drivetrain and its gears are where a case says nothing: their members hold the defaults of the
-// fields.
+// Defaults of a drivetrain and of its gears where a case states nothing: members of these structs hold the
+// defaults of the fields.
 #pragma once
 
 #include "coupling/study/drivetrain.hpp"

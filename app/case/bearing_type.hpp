@@ -11,7 +11,8 @@
 
 namespace orbearing::app {
 
-/// Of a case that states none, and of other models: cylindrical rollers. `set`: "sets.NAME." or "".
+/// Type of the planet bearing; cylindrical rollers for a case that states none and for other models. `set`:
+/// "sets.NAME." or "".
 bearing::PlanetBearingType bearing_type_of(const ResolvedCase& resolved, std::string_view set = "");
 
 /// Whether all sets have cylindrical rollers.
@@ -20,13 +21,13 @@ bool has_cylindrical_rollers(const ResolvedCase& resolved);
 /// Whether a set has a planet bearing, of rollers or balls.
 bool has_planet_bearing(const ResolvedCase& resolved, std::string_view set = "");
 
-/// Analyses that know planet bearings of any type.
+/// Analyses that model planet bearings of any type.
 inline constexpr unsigned knows_every_type = use::quasi_static | use::mesh;
 
-/// Whether `input` is a type of bearing that `analysis` does not know.
+/// Whether `input` is a type of bearing that `analysis` does not model.
 bool is_unknown_type(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
-/// Whether bearings of this type go without the field: balls without what rollers are made of.
+/// Whether bearings of this type do not have the field: balls have no fields of rollers.
 bool goes_without(std::string_view type, std::string_view path);
 
 }  // namespace orbearing::app

@@ -45,7 +45,7 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
   return names;
 }
 
-// Of sets that people state elsewhere and that cannot be stated here; else empty.
+// Hint for keys of gear sets that cannot be stated here, though other programs have them; else empty.
 std::string missing_kind_hint(const std::string& key, const std::string& prefix) {
   const bool of_stepped = prefix.ends_with("gearset.stepped_planet.");
   if ((of_stepped && (key == "ring" || key == "sun" || key.ends_with("_ring") || key.ends_with("_sun"))) ||
@@ -63,7 +63,7 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
   return {};
 }
 
-// What is required in place of the unknown `key` in the block of `prefix`.
+// Requirement for the message on the unknown `key` in the block of `prefix`.
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape,
                      unsigned models) {
   const std::string set = set_of(prefix);
@@ -158,7 +158,7 @@ class Resolver {
                      {catalogue_keys::kDynamic, catalogue_keys::kStatic, catalogue_keys::kLimit});
   }
 
-  // Of a bearing that is not known nothing more is missed.
+  // Reports unknown designations; values that would follow from them are not reported as missing.
   void check_designations() {
     for (const std::string& prefix : set_prefixes(data_.shape)) {
       const auto name = data_.values.find(prefix + catalogue_keys::kDesignation);
@@ -324,7 +324,7 @@ class Resolver {
     for (const Entry& item : member.value.items) stored.item_locations.push_back(item.location);
   }
 
-  // The only quantity of another kind in the same block that the text fits: a torque that stands at a power.
+  // The only quantity of another kind in the same block that the text fits, e.g. a torque given as a power.
   std::string likely_place(const std::string& path, const Field& field, const Entry& value) const {
     if (field.kind != Kind::quantity || value.shape != Entry::Shape::scalar) return "";
     const std::string block = path.substr(0, path.rfind('.') + 1);
@@ -356,7 +356,7 @@ class Resolver {
     return {};
   }
 
-  // Of several sets, one may go without bearings: it carries power and has no life.
+  // One of several sets may have no bearing: it carries power and has no life.
   bool is_needed(const Input& input) const {
     if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
     const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
@@ -438,7 +438,7 @@ class Resolver {
     return set.empty() ? data_.shape.bearing : block_locations_.contains(set + "bearing");
   }
 
-  // Of a file of the common name its folder tells more.
+  // For a file of the common name case.yaml the source includes the name of its folder.
   void fill_source() {
     if (data_.values.contains("source") || is_faulty("source")) return;
     const std::filesystem::path file(data_.file);
@@ -485,7 +485,7 @@ class Resolver {
                 "the reason for the value, as a text, is required");
       return;
     }
-    // A value put in its place by an option is no longer the one that the file gives reasons for.
+    // The file's reason does not apply to a value that an option replaced.
     if (value->second.location.option && !reason.location.option) return;
     if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
     if (value->second.from_default && is_rating(member.key)) return;
@@ -543,7 +543,7 @@ constexpr const char* file_path = "(file)";
   throw_mistakes(file, {{Location{}, file_path, {std::move(found), "a readable case file is required"}}});
 }
 
-// What the file is, where it is of another kind that `orbearing convert` reads; empty where it is not.
+// Kind of a file that `orbearing convert` reads, e.g. "a REXS file"; empty for other files.
 std::string_view kind_to_convert(std::string_view text) {
   if (text.starts_with("PK\x03\x04")) return "a ZIP file";
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -619,7 +619,7 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   CaseData data = Resolver(*root, name, outcome.mistakes).resolve();
   data.former = std::move(former);
   outcome.resolved.emplace(std::move(data));
-  // What must fit together follows from the model.
+  // The rules of consistency depend on the model.
   if (outcome.resolved->model() == no_model) return outcome;
   check_consistency(*outcome.resolved, outcome.mistakes);
   check_sweep_consistency(*outcome.resolved, outcome.mistakes);
@@ -627,8 +627,8 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   return outcome;
 }
 
-// What stands in the file and is a mistake only with the settings is theirs: a key that a replaced block
-// lacks, a bore that no longer fits.
+// Mistakes at values of the file that occur only with the settings are reported at the settings: a key that a
+// replaced block lacks, a bore that no longer fits.
 void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& of_file_alone,
                     std::size_t settings) {
   const auto is_of_file = [&](const Mistake& mistake) {

@@ -19,16 +19,15 @@ ResolvedCase read_case(const std::string& file, const std::vector<std::string>& 
 /// gives a sweep is a mistake.
 ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings);
 
-/// The same for a text in memory; `name` stands for the file in messages.
+/// The same for a text in memory; `name` is the name of the file in messages.
 ResolvedCase parse_case(std::string_view text, const std::string& name,
                         const std::vector<std::string>& settings = {});
 
-/// What a case was read from: with other settings it is read again, though its files have changed or are
-/// gone.
+/// Source of a case: with other settings it is read again, even if its files have changed or were deleted.
 struct CaseSource {
-  std::string name;  // of the file, in messages and for files beside it
+  std::string name;  // of the file, in messages and for files in its folder
   std::string text;
-  KeptFiles files{};  // that it names
+  KeptFiles files{};  // files that the case names
 };
 
 /// Reads a file, or case.yaml of a folder, as it is. Throws BadInput.

@@ -52,14 +52,14 @@ void find_parts(const Entry& root, CaseShape& shape) {
 
 namespace {
 
-// Of no use without a bearing; without teeth.
+// Whether the field has no use without a bearing.
 bool is_of_bearing(const Field& field) {
   return is_one_of(field.path, {"inertia.own_orbit", "inertia.gravity", "input.acceleration", "spectrum"}) ||
          begins_with_one_of(field.path, {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.",
                                          "drag.", "heat.", "support.", "simulation.", "numerics."});
 }
 
-// What is scratched, or what is made of the vibration.
+// Whether the field describes a scratch or the analysis of its vibration.
 bool is_of_defect(const Field& field) {
   return begins_with_one_of(field.path, {"defect.", "signal."});
 }
@@ -73,7 +73,7 @@ bool is_of_teeth(const Field& field) {
   if (field.path.find('.') == std::string::npos ||
       is_one_of(field.path, {"gearset.planets", "gearset.pressure_angle"}))
     return false;
-  // What follows from the drive or from the run in time is of no use without tooth numbers.
+  // Fields of the drive and of the run in time have no use without tooth numbers.
   for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})
     if (field.path.find(used) != std::string::npos) return true;
   return !field.path.starts_with("gearset.dynamics.");
@@ -114,7 +114,7 @@ std::vector<Input> inputs_of(unsigned models, const CaseShape& shape) {
   bool sets_are_in = !shape.several;
   for (const Field& field : all_fields()) {
     if ((field.models & models) == 0) continue;
-    // The sets stand where the one set's fields would.
+    // The fields of all sets are listed where the fields of a single set would be.
     if (!sets_are_in && in_each_set(field)) {
       add_sets(models, shape, inputs);
       sets_are_in = true;

@@ -1,12 +1,12 @@
-// The shape of a drivetrain's case: one set, whose fields stand at the top, or several under `sets`, each
+// The shape of a drivetrain's case: one set, whose fields are at the top level, or several under `sets`, each
 // with the same fields, and the `shafts` that join them.
 //
 //     one set                 several sets
 //     gearset: {...}          sets:   {reduction: {gearset: {...}, bearing: {...}}, ...}
 //     bearing: {...}          shafts: {input: [motor, reduction.sun], ...}
 //
-// One set may go without a bearing: its planets stand on springs, and it has no life. Without a bearing it
-// may also go without teeth: gearset.dynamics then states its masses and stiffnesses.
+// One set may have no bearing: its planets are supported by springs, and it has no life. Without a bearing it
+// may also have no teeth: gearset.dynamics then states its masses and stiffnesses.
 #pragma once
 
 #include <string>
@@ -40,22 +40,22 @@ inline constexpr std::size_t most_sets = 16;
 /// Which parts one set has: a bearing, teeth. `root` is the whole case.
 void find_parts(const Entry& root, CaseShape& shape);
 
-/// What is said of a field for which a case of that shape has no place: what was found, what is required.
+/// Message on a field that a case of that shape cannot have: what was found, what is required.
 ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path);
 
 /// "sets.NAME." and "shafts.NAME".
 std::string set_prefix(std::string_view set);
 std::string shaft_path(std::string_view shaft);
-/// What the paths of each set begin with: nothing in a case of one set.
+/// Prefixes of the paths of the sets: one empty prefix in a case of one set.
 std::vector<std::string> set_prefixes(const CaseShape& shape);
 
-/// Of several sets, the one with the scratched bearing.
+/// Path of the name of the set with the scratched bearing, in a case of several sets.
 inline constexpr std::string_view kScratchedSet = "defect.set";
 
-/// Whether a case of that shape has a place for the path.
+/// Whether a case of that shape can have an input at the path.
 bool belongs(const CaseShape& shape, std::string_view path);
 
-/// All inputs of a case of that shape that one of `models` knows, in the order in which cases are written.
+/// All inputs of a case of that shape that one of `models` uses, in the order in which cases are written.
 std::vector<Input> inputs_of(unsigned models, const CaseShape& shape);
 
 }  // namespace orbearing::app

@@ -46,7 +46,7 @@ catalogue::ClearanceClass class_of(const std::string& name) {
   throw std::logic_error("no clearance class '" + name + "'");
 }
 
-// Where a bearing is seated by a tolerance class, in place of its interference.
+// Seat of a bearing by a tolerance class instead of an interference.
 struct Seat {
   const char *tolerance, *diameter, *interference;
   catalogue::Deviations (*range)(std::string_view tolerance, double diameter);
@@ -63,8 +63,8 @@ catalogue::Family family_of(const catalogue::Entry* entry, unsigned model, bool 
   return has_contact_angle ? catalogue::Family::angular_contact : catalogue::Family::deep_groove;
 }
 
-// Each point of a sweep is a copy of its case that asks anew. Throws std::invalid_argument where nothing
-// fits.
+// Cached, since each point of a sweep is a copy of its case and repeats the request. Throws
+// std::invalid_argument where no interior fits.
 const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
   static std::map<const catalogue::Entry*, catalogue::Inside> known;
   static std::mutex one_at_a_time;
@@ -149,7 +149,7 @@ std::array<PrintedRating, 3> ratings_of(const catalogue::Entry& entry) {
            {catalogue_keys::kLimit, entry.fatigue_load_limit}}};
 }
 
-/// What a designation, or the line that it selects, says about the cage: material and reason.
+/// Cage by a designation or by the catalogue line that it selects: material and reason.
 struct NamedCage {
   std::string_view material;
   std::string reason;  // "the suffix P (cage of polyamide) of NJ 2206 ECP"
@@ -176,7 +176,7 @@ std::string newtons(double force) {
   return fmt::format("{:g} N", force);
 }
 
-// Exponent of a rating of rollers over their number, all else alike: C of [ISO281], C_0 of [ISO76], and C_u,
+// Exponent of a rating of rollers over their number, all else equal: C of [ISO281], C_0 of [ISO76], and C_u,
 // which is proportional to C_0.
 double exponent_of_number(std::string_view rating) {
   return rating == catalogue_keys::kDynamic ? 0.75 : 1.0;
@@ -192,7 +192,7 @@ bool is_full(const FieldValue* complement) {
   return complement != nullptr && complement->given == "full";
 }
 
-// What a case or one of its sets states, and what is put in its place.
+// Inputs that a case or one of its sets states, and the values that replace them.
 class CatalogueCase {
  public:
   CatalogueCase(CaseData& data, std::string prefix, Model model)
@@ -231,10 +231,10 @@ class CatalogueCase {
     entry_ = name == nullptr ? nullptr : line_of(find(catalogue_keys::kCatalogue), name->given);
     if (entry_ == nullptr) return;
     const bool rollers = catalogue::has_rollers(entry_->family);
-    if (rollers != ((model_ & with_rollers) != 0)) return;  // check_catalogue_bearing() says it
+    if (rollers != ((model_ & with_rollers) != 0)) return;  // reported by check_catalogue_bearing()
     try {
       fill_inside(known_inside(*entry_), name->given);
-    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
     }
   }
 
@@ -268,7 +268,7 @@ class CatalogueCase {
     fill_default_cage(inside);
   }
 
-  // Those that are stated stand. Without a cage there are more rollers than the line's ratings are of.
+  // Stated ratings remain. Without a cage there are more rollers than the line's ratings apply to.
   void fill_ratings() {
     if (inside_ == nullptr) return;
     const std::string published = "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
@@ -300,7 +300,7 @@ class CatalogueCase {
                                                   entry_->width));
   }
 
-  // Of a bearing outside the catalogue, from its rollers or balls as stated.
+  // Cage of a bearing outside the catalogue, from its rollers or balls as stated.
   void fill_cage_of_stated_inside() {
     const FieldValue *pitch = find("bearing.pitch_diameter"), *width = find("bearing.width"),
                      *roller = find("bearing.roller_diameter"), *ball = find("bearing.ball_diameter"),
@@ -323,7 +323,7 @@ class CatalogueCase {
     put_default("bearing.cage.width", millimetres(cage.width), reason);
   }
 
-  // Of a bearing with both rings, as it is bought.
+  // Whether the bearing has both rings, and so a clearance before mounting.
   bool has_clearance_before_mounting() const {
     const FieldValue* rings = find(catalogue_keys::kRings);
     return entry_ != nullptr && entry_->family != catalogue::Family::needle_cage &&
@@ -343,8 +343,8 @@ class CatalogueCase {
                                                : running.default_reason));
   }
 
-  // That of the designation's suffix, else normal: as bearings are bought where nobody asks for another
-  // clearance.
+  // Clearance class of the designation's suffix, else normal: the class of bearings ordered without another
+  // one.
   void fill_default_class() {
     const std::string path = prefix_ + catalogue_keys::kClass;
     auto known = data_.values.find(path);
@@ -385,7 +385,7 @@ class CatalogueCase {
                       per_micro * range.least, per_micro * range.most));
       put_default(catalogue_keys::kState, "unmounted",
                   "default: a clearance class is for an unmounted bearing");
-    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
     }
   }
 
@@ -399,12 +399,12 @@ class CatalogueCase {
         put(seat.interference, fmt::format("{:g} um", per_micro * range.middle()),
             fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
                         per_micro * range.least, per_micro * range.most));
-      } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+      } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
       }
     }
   }
 
-  // That of the designation, where a cage has neither a stated material nor a stated density.
+  // Material by the designation, where a cage has neither a stated material nor a stated density.
   void fill_named_material() {
     if (entry_ == nullptr || (model_ & described::in_motion) == 0 ||  // others may have no cage
         is_full(find(catalogue_keys::kComplement)))
@@ -426,7 +426,7 @@ class CatalogueCase {
         fmt::format("default: a cage of {}", material.name));
   }
 
-  // Of rollers whose number is left out, as many as go in.
+  // Number of rollers of a full complement where it is left out: as many as fit.
   void fill_complement() {
     const FieldValue *complement = find(catalogue_keys::kComplement), *pitch = find("bearing.pitch_diameter"),
                      *diameter = find("bearing.roller_diameter");
@@ -600,7 +600,7 @@ void check_rated_material(CheckedCase& in) {
 
 void check_class(CheckedCase& in) {
   if (!in.has(catalogue_keys::kClass)) return;
-  // Of a bearing that is not known its designation is to blame.
+  // For an unknown bearing the mistake is reported at its designation.
   if (std::any_of(in.mistakes.begin(), in.mistakes.end(), [](const Mistake& mistake) {
         return mistake.path.ends_with(catalogue_keys::kDesignation);
       }))
@@ -725,8 +725,8 @@ TorqueFamily family_of(const ResolvedCase& in, const catalogue::Entry* entry) {
   return angle == 0.0 ? TorqueFamily::deep_groove : TorqueFamily::angular_contact;
 }
 
-// What stands before the bore code: 2 or 22 of cylindrical rollers, 62 of balls, whose first digit is the
-// type.
+// Series: the digits before the bore code, 2 or 22 of cylindrical rollers, 62 of balls, whose first digit is
+// the type.
 void put_series(const std::string& designation, BearingSize& size) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto begin = std::ranges::find_if(designation, is_digit);

@@ -1,5 +1,5 @@
-// A bearing as it is bought, in place of single values: by its designation, its clearance class, the material
-// of its cage, without a cage, without rings.
+// A catalogue bearing instead of single values: by its designation, its clearance class, the material of its
+// cage, without a cage, without rings.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,17 @@
 
 namespace orbearing::app {
 
-/// Where a case says how its bearing is bought, what follows stands in place of what is stated, which then
-/// has no effect; so with each of several sets. Sizes of a cage that are left out beside a designation are
-/// those of a usual one.
+/// Replaces stated values by those of a stated catalogue bearing; the stated ones then have no effect; so
+/// with each of several sets. Sizes of a cage that are left out with a designation are those of a typical
+/// cage.
 void fill_from_catalogue(CaseData& data, Model model);
 
-/// What is wrong with a designation that no line has; none where one has it. `table`: the case's own
-/// catalogue, if any.
+/// Message on a designation that no line has; none where one has it. `table`: the case's own catalogue, if
+/// any.
 std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
                                                       Model model);
 
-/// Whether anything is known of such a bearing, and whether what says so fits together.
+/// Mistakes of a catalogue bearing: values that are not known or do not fit together.
 void check_catalogue_bearing(CheckedCase& resolved);
 
 /// Whether the bearing has no cage: a full complement of rollers.
@@ -43,16 +43,16 @@ bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, co
 /// case replaces: what every result of theirs is to be read with.
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
 
-/// What is wrong with a study of the inputs `varied`: a designation, or the catalogue, is varied while the
-/// case states ratings or sizes of a cage that would stand beside each of them.
+/// Messages on a study of the inputs `varied`: it varies a designation, or the catalogue, while the case
+/// states ratings or sizes of a cage, which would be the same for all designations.
 std::vector<std::string> stated_beside_designation(const ResolvedCase& resolved,
                                                    const std::vector<std::string>& varied);
 
 /// The one line that the case takes out of its own catalogue at `path`, as a table; none where it takes none.
 std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path);
 
-/// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
-/// the clearance.
+/// Quantities of a designation and a class besides the values that they replace, for `check`: ratings, the
+/// range of the clearance.
 std::vector<Derived> catalogue_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -38,8 +38,8 @@ Use use_of_rings(std::vector<Field>& fields) {
   return either_of(table::row_of(fields, "bearing.bore").use, planet);
 }
 
-// As the number of rollers, which it makes where a bearing is bought. The frequencies of a scratched bearing
-// are those of its cage.
+// Use as that of the number of rollers, which it determines for a catalogue bearing. The frequencies of a
+// scratched bearing are those of its cage.
 Use use_of_complement(std::vector<Field>& fields) {
   constexpr unsigned moving = use::planet_defect;
   Use rollers = table::row_of(fields, catalogue_keys::kRollers).use;

@@ -1,4 +1,4 @@
-// Names of the inputs by which a bearing is bought, and of those that follow from them.
+// Names of the inputs of a catalogue bearing, and of those that follow from them.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ inline constexpr const char *kDesignation = "bearing.designation", *kCatalogue =
                             *kOuterFit = "bearing.fit.outer_interference";
 }  // namespace catalogue_keys
 
-/// Inputs that follow where `bearing.designation` is given. Ratings are not among them: those that are stated
-/// beside it stand.
+/// Inputs that follow where `bearing.designation` is given. Ratings are not among them: stated ratings
+/// remain.
 const std::vector<std::string>& paths_of_designation();
 
 }  // namespace orbearing::app

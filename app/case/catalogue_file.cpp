@@ -63,7 +63,7 @@ constexpr std::array<TextColumn, 4> kTextColumns{{{"suffix", &Line::suffix},
                                                   {"maker", &Line::maker},
                                                   {"source", &Line::source}}};
 
-// What a line of a family states, and what it may not.
+// Columns that a line of a family requires, and those that it must not have.
 struct FamilyColumns {
   std::string_view name;
   catalogue::Family family;

@@ -20,8 +20,8 @@ std::vector<bearing::catalogue::Entry> read_catalogue(const std::string& text, c
                                                       const std::string& path,
                                                       std::vector<Mistake>& mistakes);
 
-/// Puts the text of the file that the value names beside its name, or of a table of several lines that stands
-/// in the case itself; false where it is no catalogue, with the mistakes added.
+/// Puts the text of the file that the value names beside its name, or of a table of several lines that the
+/// case itself contains; false where it is no catalogue, with the mistakes added.
 bool take_catalogue(FieldValue& value, const Location& location, const std::string& path,
                     const std::string& case_file, std::vector<Mistake>& mistakes);
 

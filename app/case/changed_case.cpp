@@ -102,7 +102,7 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
 }
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
-  throw_if_stopped();  // sweeps ask for their points by the ten thousand
+  throw_if_stopped();  // a sweep may have tens of thousands of points
   CaseData data = *data_;
   int number = 0;
   for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);

@@ -64,7 +64,7 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
   return rows;
 }
 
-// Of a table within a case its beginning.
+// Beginning of a long value, e.g. of a table within a case.
 std::string shortened(const std::string& value) {
   constexpr std::size_t most = 120;
   const std::string text = printable(value);
@@ -132,7 +132,7 @@ void describe_input(Record& row, const ResolvedCase& resolved, const Input& inpu
   row.value("origin", "location in the case", resolved.origin(input.path));
 }
 
-// What is given and not modelled, analysis by analysis.
+// Given inputs that are not modelled, for each analysis.
 std::string not_modelled_text(const ResolvedCase& resolved) {
   std::string text;
   for (const use::Analysis analysis : analyses_of(resolved)) {
@@ -160,8 +160,8 @@ std::vector<Derived> or_reason(const std::string& path,
 }
 
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
-  // What is longer than this, such as a name or source, must not push the other columns away. Paths within a
-  // set are long and come in numbers.
+  // Longer values, such as a name or source, must not shift the other columns. Paths within a set are long
+  // and numerous.
   constexpr std::array<std::size_t, 4> widest{52, 36, 36, 36};
   const std::vector<Row> rows = all_rows(resolved, derived);
   std::array<std::size_t, 4> widths{};

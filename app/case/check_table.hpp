@@ -1,4 +1,4 @@
-// What `orbearing check` prints: every input and derived quantity with its value, unit and standing.
+// Output of `orbearing check`: every input and derived quantity with its value, unit and status.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace orbearing::app {
 
-/// What `compute` gives; where that fails, one row at `path` without a value, whose meaning is the reason.
-/// What is wrong with the case itself (BadInput) is thrown on.
+/// Result of `compute`; where that fails, one row at `path` without a value, whose meaning is the reason.
+/// Mistakes of the case itself (BadInput) are rethrown.
 std::vector<Derived> or_reason(const std::string& path, const std::function<std::vector<Derived>()>& compute);
 
 /// The table as text, one line for each quantity.
@@ -22,8 +22,8 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
 /// them.
 void describe_value(described::Record& record, const ResolvedCase& resolved, const Input& input);
 
-/// That table as `{name, model, inputs: [{path, used_by, not_modelled_by, value, unit, given, standing,
-/// reason, origin}], derived: [...]}`; of inputs `value` is SI and `unit` its SI unit.
+/// The table as `{name, model, inputs: [{path, used_by, not_modelled_by, value, unit, given, standing,
+/// reason, origin}], derived: [...]}`; `value` of an input is in SI and `unit` is its SI unit.
 void describe_check(described::Record& record, const ResolvedCase& resolved,
                     const std::vector<Derived>& derived);
 /// Units of those values by their paths.

@@ -75,7 +75,7 @@ bool has_bearing(const ResolvedCase& in) {
   });
 }
 
-// What tooth numbers alone say: it is reported beside keys that are missing.
+// Check of the tooth numbers alone: it is reported together with missing keys.
 void check_spacing_alone(CheckedCase& in) {
   if (has_planet_pairs(in) ||
       !has_all(in, {"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets"}))
@@ -105,7 +105,7 @@ void check_stage_teeth(CheckedCase& in, const char* path, const std::vector<doub
                       "at least 5 of each gear, or [1, 1] for no stage, are required");
 }
 
-// Beyond it the equations of the whole train lose the digits by which contradictions are told.
+// Beyond it the equations of the whole train lose the digits that distinguish contradictions from round-off.
 constexpr double kLargestStageRatio = 1e6;  // [-]  up or down, of all stages
 constexpr std::size_t kMostStages = 20;
 
@@ -266,7 +266,7 @@ void check_one_set(CheckedCase& in) {
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
 
-// Each set as a case of its own, what is said of it under its name; then what joins them.
+// Each set as a case of its own, with its mistakes under its name; then the parts that join them.
 void check_multi_stage(CheckedCase& in) {
   for (const std::string& set : in.shape().sets) {
     std::vector<Mistake> of_set;

@@ -26,13 +26,13 @@ void check_ball_circle(CheckedCase& in);
 double planet_length(const ResolvedCase& in);
 /// Two ways to state the same thing exclude each other.
 void check_either(CheckedCase& in, const char* one, const char* other);
-/// Whether level and manner of lubrication fit, in cases of any model that know them.
+/// Whether level and manner of lubrication fit, in cases of any model that has them.
 void check_cleanliness(CheckedCase& in);
 
-/// Appends a mistake for each value of an axis that contradicts the case. Each is looked at once, the other
-/// axes being at the case's own value where they hold it, else at their first: the sum of the axes'
-/// lengths, and points of the sweep only. Axes that `check_consistency` does not look at are left out. Of
-/// many mistakes of one axis the first are reported and the rest counted.
+/// Appends a mistake for each value of an axis that contradicts the case. Each is checked once, the other
+/// axes being at the case's own value where they hold it, else at their first: the sum of the axes' lengths,
+/// and points of the sweep only. Axes that `check_consistency` does not check are left out. Of many mistakes
+/// of one axis the first are reported and the rest counted.
 void check_sweep_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 }  // namespace orbearing::app

@@ -26,7 +26,7 @@ void check_scratch_profile(CheckedCase& in) {
                   "at least three, at equal distances from edge to edge, are required");
 }
 
-// What is stated of the scratch itself; `element` is a ball or a roller.
+// Mistakes in the scratch itself; `element` is a ball or a roller.
 void check_scratch(CheckedCase& in, const char* element) {
   if (!in.has("defect.race") || in.choice("defect.race") == "none") return;
   check_scratch_profile(in);
@@ -36,7 +36,8 @@ void check_scratch(CheckedCase& in, const char* element) {
                       "width and depth of the scratch, or none, are required");
   const std::string diameter = fmt::format("bearing.{}_diameter", element);
   if (!in.has("defect.width") || !in.has(diameter)) return;
-  // An element on a wider one would fall to where it touches nothing that eq. 4 knows; two share none.
+  // In a wider scratch an element would reach a depth without contact, which eq. 4 does not cover; two
+  // elements share no scratch.
   const double widest = 0.5 * in.quantity(diameter);
   if (in.quantity("defect.width") > widest)
     in.add_error_at("defect.width",
@@ -87,7 +88,8 @@ void check_planet_surface(CheckedCase& in) {
                     "a continuous form is required where all of the bearing moves");
 }
 
-// Of the set with the scratched bearing, whose inputs have `prefix` in the case.
+// Mistakes in the location of the scratch, for the set with the scratched bearing, whose inputs have `prefix`
+// in the case.
 void check_location(CheckedCase& in, const std::string& prefix) {
   const auto at_most = [&](const char* path, const char* count) {
     if (has_all(in, {path, count}) && in.integer(path) > in.integer(count))

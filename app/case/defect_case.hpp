@@ -1,4 +1,4 @@
-// From a resolved case of the model raceway-defect to a bearing with scratches, and what is asked of its
+// From a resolved case of the model raceway-defect to a bearing with scratches, and to the settings of its
 // signal.
 #pragma once
 
@@ -20,8 +20,8 @@ std::optional<gearset::Member> held_member_of(const ResolvedCase& resolved, cons
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
 
-/// Of the balls, the cage and the oil of such a case, for run --fidelity dynamic. Throws BadInput where it
-/// lacks what only that asks for, or where a ball is scratched.
+/// Balls, cage and oil of such a case, for run --fidelity dynamic. Throws BadInput where an input that only
+/// this fidelity requires is missing, or where a ball is scratched.
 bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& resolved);
 
 /// [m]  error of a position that one step of that run may make

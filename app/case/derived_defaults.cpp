@@ -37,7 +37,7 @@ class ValuesOfSet {
   const std::string& choice(std::string_view path) const { return find(path)->value.given; }
 
  private:
-  // What all sets share stands at the top.
+  // Values that all sets share are at the top level.
   const StoredValue* find(std::string_view path) const {
     for (const std::string& at : {prefix_ + std::string(path), std::string(path)})
       if (const auto found = data_.values.find(at); found != data_.values.end()) return &found->second;
@@ -127,7 +127,7 @@ std::optional<DerivedDefault> pocket_damping(const ValuesOfSet& value) {
                         fmt::format("{}, the common cage material nearest in density", material.name)};
 }
 
-// Of teeth: none where the case states masses and springs in their place.
+// Teeth of the set; none where the case states masses and springs instead.
 std::optional<gearset::PlanetarySet> teeth_of(const ValuesOfSet& value) {
   if (!value.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.module",
                   "gearset.helix_angle", "gearset.pressure_angle", "material.youngs_modulus"}))
@@ -168,7 +168,7 @@ std::optional<DerivedDefault> support(const ValuesOfSet& value) {
                         std::string(reason)};
 }
 
-// Of the set in three dimensions.
+// For a set in three dimensions.
 std::optional<DerivedDefault> sun_tilt(const ValuesOfSet& value) {
   const std::optional<gearset::PlanetarySet> set = teeth_of(value);
   if (!set || !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
@@ -361,7 +361,7 @@ void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule
   }
   if (!derived) return;
   FieldReading reading = read_field_text(*field, derived->text);
-  if (!reading.good) return;  // of a design beyond what the field takes: it wants a value of its own
+  if (!reading.good) return;  // outside the range of the field: the case must state a value
   data.values[full] = {std::move(reading.value), {}, true};
   data.assumed[full] = "default: " + derived->reason;
 }

@@ -26,7 +26,7 @@ class DescribedCase {
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
     if ((facts.details.models & in_.model()) == 0) return;
-    // What follows from other values must have done so.
+    // Values that always follow from others must be there.
     if (in_.has(facts.path) || (follows_always(facts.path) && !is_of_missing_cage(facts.path)))
       read(member, facts);
   }
@@ -82,7 +82,7 @@ class DescribedCase {
     if (!stated) throw std::logic_error(facts.path + " has no choice '" + in_.choice(facts.path) + "'");
     member = *stated;
   }
-  // Of kinds that no case states.
+  // Members of types that no case states.
   template <class Other>
   requires(!std::is_arithmetic_v<Other> && !std::is_enum_v<Other>) void read(Other&, const Facts&) {}
 

@@ -32,7 +32,7 @@ void DescribedFields::add(Field field) {
     fields_.push_back(std::move(field));
     return;
   }
-  const bool states_none = field.default_text.empty();  // it goes by the other row
+  const bool states_none = field.default_text.empty();  // the other row has the default
   if (!states_none && same->default_text != field.default_text)
     throw std::logic_error(
         fmt::format("two structures share \"{}\" with defaults of their own: \"{}\" and \"{}\"", field.path,

@@ -80,7 +80,7 @@ class DescribedFields {
       if (name.value == value) field.default_text = name.text;
     }
   }
-  // Of kinds that no case states.
+  // Members of types that no case states.
   template <class Other>
   requires(!std::is_arithmetic_v<Other> &&
            !std::is_enum_v<Other>) static void set_kind(Field&, const Other&, const described::Details&) {

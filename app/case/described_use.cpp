@@ -1,5 +1,5 @@
-// Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other
-// pairs of this folder it has no header of its own, since what it asks of a case stands above the fields.
+// Uses of the fields whose rows are beside their members: use_of() of field_use.hpp. Unlike the other pairs
+// of this folder it has no header of its own, since its conditions on a case are declared above the fields.
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -52,13 +52,14 @@ unsigned leaving_out(described::Physics physics) {
   using enum described::Physics;
   if (physics == gear_bodies || physics == gear_motion || physics == central_teeth)
     return use::dynamic_of_sets;
-  // All that moves bearings knows none with scratches but what is run for them.
+  // Only the runs for scratched bearings model scratches; the other analyses that move bearings leave them
+  // out.
   if (physics == described::Physics::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
   return physics == load_sharing || physics == positions ? use::crown | use::planet_stiffness : 0u;
 }
 
-// How single parameters differ from what their physics says.
+// Differences of single parameters from their physics.
 struct Exception {
   std::initializer_list<std::string_view> paths;
   unsigned refused_by = 0;       // analyses that ought to take them and cannot
@@ -79,33 +80,33 @@ const Exception exceptions[] = {
     {{"gearset.dynamics.damping_ratio.bearing"}, 0, use::fmu_gearset, use::one_set_in_time},
     {{"film.approach", "bearing.cage.reference_speed", "simulation.integrator"},
      other_rungs | use::fmu_bearing},
-    {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean knows like rollers
+    {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean assumes identical rollers
     {{"bearing.misalignment.planet_tilt"}, 0, use::crown},
-    // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on
+    // A computed tilt is that of bearings at rest; a single bearing in motion may use it. It has no effect on
     // gears.
     {{"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences", "support.pin_ends",
       "support.pin_span", "support.pin_diameter", "support.carrier_twist_stiffness",
       "support.pin_inclination.radial", "support.pin_inclination.tangential"},
      no_tilt,
      use::bearings_as_springs},
-    // Stops hold planets and sun under a load; their stiffness counts in small vibration alone.
+    // Stops hold planets and sun under a load; their stiffness affects only small vibration.
     {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
     {{"load.tilt"}, use::ball_run},
-    // At rest and in gears alone planets are without weight; an FMU knows no angle of its carrier.
+    // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
     {{"inertia.gravity"},
      use::fmu_bearing | use::fmu_gearset,
      0,
      use::quasi_static | use::crown | use::gears},
     {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
     {{"film.inlet_heating"}, use::fmu_bearing},
-    // Rows of other bearings than cylindrical ones are known at rest alone.
+    // Rows of other bearings than cylindrical ones are modelled only quasi-static.
     {{"bearing.rows.contact_angle", "bearing.rows.arrangement", "bearing.rows.distance",
       "bearing.rows.preload", "bearing.rows.approach", "bearing.balls", "bearing.ball_diameter"},
      but_at_rest},
     // Contacts and oil of the whole motion have damping and steps of their own.
     {{"contact.damping_ratio", "contact.damping_model", "signal.length_error"}, 0, use::moving_defect},
     {{"simulation.load_error_share"}, 0, 0, use::fmu_bearing},  // whose loads are not known before
-    // Two gears on a planet are known at rest, and planets in pairs.
+    // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
     {{"gearset.stepped_planet.teeth", "gearset.stepped_planet.module", "gearset.stepped_planet.profile_shift",
       "gearset.stepped_planet.face_width", "gearset.stepped_planet.offset", "gearset.second_planet.teeth",
       "gearset.second_planet.first_profile_shift", "gearset.second_planet.profile_shift",
@@ -113,7 +114,7 @@ const Exception exceptions[] = {
      no_second_gear},
     {{"numerics.cage_positions"}, 0, use::dynamic_of_sets}};  // but for what is found at rest before
 
-// By its physics, with what single parameters have in place of it.
+// Use by the physics of the field, with the exceptions of single parameters.
 Use use_by_physics(const described::Facts& facts) {
   Exception but{};
   for (const Exception& exception : exceptions)
@@ -134,7 +135,7 @@ const Condition& where_filmed() {
   return filmed;
 }
 
-// What is used beyond its physics, or hangs on other inputs, follows for each part of a drivetrain in turn.
+// Uses beyond the physics, and those that depend on other inputs, for each part of a drivetrain in turn.
 
 // A pin that is held at one end makes the support's stiffness where none is stated.
 Use with_pins(const Use& use, std::string_view path) {
@@ -144,8 +145,8 @@ Use with_pins(const Use& use, std::string_view path) {
 }
 
 Use with_meshes(Use use, std::string_view path) {
-  // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
-  // loads, since then it decides who carries how much.
+  // Compliance under the planets and its inputs: it affects quasi-static results too where planets carry
+  // unequal loads, since it then determines the load sharing.
   if (makes_meshes(path) ||
       is_one_of(path,
                 {"bearing.bore", "numerics.cage_positions", "support.stiffness", "gearset.dynamics.sun.mass",
@@ -155,20 +156,20 @@ Use with_meshes(Use use, std::string_view path) {
                  "gearset.dynamics.planet.mass", "gearset.dynamics.backlash", "gearset.dynamics.separation",
                  "gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"}))
     use = use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads());
-  // Length and form of a relief count where there is one.
+  // Length and form of a relief have an effect where there is one.
   if (is_one_of(path, {"gearset.tip_relief.length", "gearset.tip_relief.form"}))
     return use.when(
         where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
-  // Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
-  // axis; a rim bends under them.
+  // Power and speed determine the load of the meshes, under which teeth deflect and helical teeth exert axial
+  // forces; a rim bends under them.
   if (is_one_of(path, {"input.power", "input.application_factor", "input.speed", "input.speed_of",
                        "parallel_stage.front", "gearset.planet_rim"}))
     return also_used(use, use::mesh);
   return use;
 }
 
-// Laminae and what tilts the bore belong to lives, and change the stiffness too; the law of line
-// contacts knows no modulus, their films do.
+// Laminae and the tilt of the bore affect lives, and the stiffness too; the model of line contacts has no
+// modulus, their films do.
 Use with_stiffness(const Use& use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
   if (path == "support.pin_diameter") return use.when(where("support.pin_ends", {"flexpin"}));
@@ -178,7 +179,7 @@ Use with_stiffness(const Use& use, std::string_view path) {
       .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
 }
 
-// The mass of balls counts, and the film under them, where a ring turns.
+// The mass of balls, and the film under them, have an effect where a ring rotates.
 Use with_rotating_rings(const Use& use, const described::Facts& facts) {
   Condition rotating = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.physics == described::Physics::rotating_balls) return use.when(rotating);
@@ -197,8 +198,8 @@ bool share_is_stated(const ResolvedCase& in, std::string_view) {
   return !in.has("lubricant.fill") || in.choice("lubricant.fill") == "stated";
 }
 
-// Films stand in results of lives; elsewhere the oil counts where a film takes part in the approach, or
-// where the life by its cleanliness is made of its viscosity.
+// Lives include films; elsewhere the oil has an effect where a film takes part in the approach, or where the
+// life by its cleanliness depends on its viscosity.
 Use with_oil(const Use& use, std::string_view path) {
   std::vector<Condition> viscosity_makes_kappa{where_given({"life.cleanliness", "life.contamination_factor"}),
                                                where_absent("life.viscosity_ratio"),
@@ -227,7 +228,8 @@ Use with_oil(const Use& use, std::string_view path) {
   return oil.when(no_grade);
 }
 
-// What makes the race of the planet, and with it its mass: the clearance of a bearing on its seats, too.
+// Whether the field affects the race of the planet, and with it its mass: the clearance of a bearing on its
+// seats, too.
 bool makes_race(std::string_view path) {
   return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state", "bearing.per_planet",
                           "bearing.roller_diameter", "bearing.pitch_diameter", "bearing.width"}) ||
@@ -303,8 +305,8 @@ Use with_held_members(const Use& use, std::string_view path) {
                                     where_given({std::string(block) + member + ".torsional_stiffness"})});
 }
 
-// A parameter counts only there. A set without teeth has no loads to share. Of several sets none has a driven
-// member of its own, but all share the power.
+// Conditions of single parameters. A set without teeth has no loads to share. With several sets none has a
+// driven member of its own, but all share the power.
 Use with_own_condition(const Use& use, const described::Facts& facts) {
   described::Where only = facts.details.where;
   if (facts.physics == described::Physics::load_sharing) only = {.path = "input.power"};
@@ -337,8 +339,8 @@ Use with_friction_and_heat(Use use, std::string_view path) {
   if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
   if (path == "heat.viscosity_slope")
     return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
-  // Friction of a single bearing by the formulas of others goes by its boundary dimensions, and by its
-  // density where rollers turn; oil and heat of a roller bearing at rest count for its friction.
+  // Friction formulas of other sources for a single bearing use its boundary dimensions, and its density
+  // where rollers rotate; oil and heat of a quasi-static roller bearing affect its friction.
   if (is_one_of(path, {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density",
                        "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
     return use.used_too(use::static_load, where_others_know_friction());
@@ -350,8 +352,8 @@ Use with_friction_and_heat(Use use, std::string_view path) {
   return use.used_too(use::static_load, std::move(heated));
 }
 
-// What rollers alone have in planets, whose balls know neither a law of line contacts nor a film: it is idle
-// beside them.
+// Fields that apply only to rollers in planets: balls have neither a model of line contacts nor a film, so
+// the field has no effect with them.
 Use used_beside_rollers(const Use& use, std::string_view path) {
   if (!is_one_of(path, {"life.reduction_factor", "contact.law", "film.inlet_heating", "heat.viscosity_slope",
                         "lubricant.density"}))
@@ -373,7 +375,7 @@ Use with_moving_pin(const Use& use, std::string_view path) {
                       where_true(pin_is_race, "where bearing.rings is outer or none"));
 }
 
-// Fields of unlike physics, of which each hangs on other choices.
+// Fields of different physics, each of which depends on other choices.
 Use with_other_ways(Use use, std::string_view path) {
   const auto at_steady_speed = [&](const Use& any) {
     return any.limited(use::dynamic | use::dynamic_of_sets,
@@ -390,7 +392,7 @@ Use with_other_ways(Use use, std::string_view path) {
   if (path == "traction.starvation") return at_steady_speed(use);
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
-  // Masses of rings warm up; that of the ring at rest counts for nothing besides.
+  // Masses of rings are heated; that of the stationary ring has no other effect.
   if (path == "bearing.outside_diameter")
     return use.used_too(use::ball_run, where("heat.enabled", {"true"}))
         .used_too(use::ball_run, where_given({"bearing.designation", "bearing.bore"}));
@@ -409,7 +411,7 @@ Use with_other_ways(Use use, std::string_view path) {
                                    "run_up.from other than 1")}));
   // A run-up is observed from its begin to its end.
   if (path == "simulation.observed_revolutions") return at_steady_speed(use);
-  // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
+  // For a driven sun or ring the power determines the tooth force, whichever member is held.
   if (path == "gearset.fixed") return use.used_only(use::mesh, {where("input.member", {"carrier"})});
   return use;
 }
@@ -445,7 +447,7 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
   for (const Way& way : use.ways)
     if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
       more = more.used_too(use::quasi_static, with_body(way.conditions));
-  // What a set in its plane does not know; loads, clearance and weight leave its springs as they are.
+  // Inputs that a set in its plane does not have; loads, clearance and weight do not change its springs.
   if (is_one_of(path, {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
                        "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
                        "bearing.axial_places", "bearing.roller_length",

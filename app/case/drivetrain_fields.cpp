@@ -12,7 +12,7 @@ namespace orbearing::app::table {
 
 namespace {
 
-// Torque, or torque over speed, in place of the power, whose use they have; and a load spectrum.
+// Torque, or torque over speed, instead of the power, with the same use; and a load spectrum.
 void add_duty(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
   const Use use = row_of(fields, kPowerPath).use;
@@ -71,7 +71,7 @@ void add_default_shifts(std::vector<Field>& fields) {
   }
 }
 
-// What follows from other values, and may be stated so that it is checked: no result follows from it.
+// Values that follow from others and may be stated as a check: no result depends on them.
 void add_checks(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
   const Use checked(use::of_a_drivetrain, 0);

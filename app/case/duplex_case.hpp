@@ -29,7 +29,7 @@ bearing::equilibrium::RowMotion pair_motion_of(const ResolvedCase& resolved);
 bearing::duplex::Shaft duplex_shaft_of(const ResolvedCase& resolved);
 bearing::duplex::Shaft linear_shaft_of(const ResolvedCase& resolved);
 std::optional<bearing::duplex::Housing> housing_of(const ResolvedCase& resolved);
-/// Where the shaft is one.
+/// The shaft as a cylinder; none where it is not one.
 std::optional<bearing::duplex::Cylinder> cylinder_of(const ResolvedCase& resolved);
 
 /// Natural frequencies that were measured on one pair.

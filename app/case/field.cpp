@@ -18,7 +18,7 @@ FieldReading good(FieldValue value) {
   return {true, std::move(value), {}};
 }
 
-// What to state instead where a source has what the field cannot hold.
+// Advice for a value of the source that the field cannot hold.
 std::string remedy(const Field& field) {
   if (field.path.starts_with("parallel_stage."))
     return "; one stage is [82, 23], several are [[82, 23], [88, 22]]";
@@ -131,8 +131,8 @@ std::optional<std::pair<std::string, double>> numbered(const std::string& text) 
   return std::pair{letters.substr(0, digit), *number.value};
 }
 
-// Of choices that differ by a number alone, as grades of oil do, beside those without one, the one whose
-// number is nearest in ratio; empty where there is none.
+// Among choices that differ only by a number, such as grades of oil, the one whose number is nearest in
+// ratio; choices without a number are skipped. Empty where there is none.
 std::string nearest_number(const Field& field, const std::string& text) {
   const auto given = numbered(text);
   const auto is_alike = [&](const std::string& choice) {
@@ -260,7 +260,8 @@ std::optional<FieldReading> wrong_key(const Field& field, const Entry& row) {
   return std::nullopt;
 }
 
-// Of the columns of which a row has one: none or several; nothing where all is well.
+// Mistake in columns of which a row must have exactly one: none or several were given; nothing where all is
+// well.
 std::optional<FieldReading> wrong_choice(const Field& field, const Entry& row) {
   for (const ListColumn& column : field.columns) {
     if (column.one_of == 0) continue;
@@ -331,7 +332,7 @@ FieldReading read_rows(const Field& field, const Entry& entry) {
 
 FieldReading read_list(const Field& field, const Entry& entry);
 
-// Each a list by itself; a single one is written as if it stood alone.
+// Each group is a list; a single one is written like a list without groups.
 FieldReading read_groups(const Field& field, const Entry& entry) {
   FieldValue value;
   std::vector<std::string> texts;

@@ -32,7 +32,7 @@ struct ListColumn {
   Dimension dimension{};  // none: a plain number
   Range range{};
   int one_of = 0;  // of the columns with this number, if above 0, a row has one; the others read 0
-  std::string_view unit_of_number{};  // unit of a number without one, where the name says it; none: refused
+  std::string_view unit_of_number{};  // unit of a number without one, if the name has it; none: refused
   bool text = false;      // holds texts: a row's number is that of its text in FieldValue::texts, from 1
   bool optional = false;  // a row may be without it and reads 0 then
 };
@@ -42,24 +42,24 @@ struct Field {
   Kind kind = Kind::text;
   std::string meaning{};                 // one sentence, shown by the schema
   Use use;                               // who uses it; without it a row does not compile
-  unsigned models = with_rollers;        // models that know the field
-  unsigned required_by = no_model;       // models that cannot do without it
+  unsigned models = with_rollers;        // models that use the field
+  unsigned required_by = no_model;       // models that require it
   Dimension dimension{};                 // quantity, and list of quantities
   Range range{};                         // quantity, number, integer and the elements of a list
   std::vector<std::string> choices{};    // choice
   std::string default_text{};            // as it would be written in a case; empty: none
-  std::string default_reason{};          // why this value may stand in for one that is not given
+  std::string default_reason{};          // why this value may replace a missing one
   Kind element = Kind::number;           // list: kind of its elements
-  bool default_without_bearing = false;  // the default stands in only where a set has no bearing
+  bool default_without_bearing = false;  // the default applies only where a set has no bearing
   std::vector<ListColumn> columns{};     // list of rows: quantities of each of these
-  bool from_file = false;  // list of rows, or of a matrix: {file: NAME.csv} may stand in its place
+  bool from_file = false;                // list of rows, or of a matrix: or {file: NAME.csv} instead
   std::size_t group =
       0;  // list: of so many elements; or a list of such lists, whose elements follow each other
   bool numerical = false;  // Details::numerical
   std::size_t count = 0;   // list: of so many, if above 0
 
-  /// Of one of several structures that a case chooses from: by the value of the input `by`, or without a
-  /// value by which inputs it states.
+  /// Alternative structure that a case selects: by the value of the input `by`, or without a value by which
+  /// of its inputs the case states.
   struct Alternative {
     std::string by;
     std::string value;
@@ -68,11 +68,11 @@ struct Field {
   std::vector<Alternative> alternatives{};  // the outer ones first
   bool required_if_chosen = false;
 
-  /// What a row may say besides; each gives the row itself.
+  /// Further properties of a row; each function returns the row itself.
   Field& by_default(std::string text, std::string reason);
-  Field& required();                  // by all models that know it
+  Field& required();                  // by all models that use it
   Field& listed();                    // a list of such values
-  Field& under(Condition condition);  // where it counts
+  Field& under(Condition condition);  // where it has an effect
   Field& of_numerics();               // a numerical setting
 };
 
@@ -131,7 +131,7 @@ struct FieldReading {
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
 
-/// The same for a number of the program [SI], written as `text`; none: as a case says it in SI. Numeric
+/// The same for a number of the program [SI], written as `text`; none: as a case states it in SI. Numeric
 /// fields only.
 FieldReading read_field_number(const Field& field, double value, std::string text = "");
 
@@ -141,7 +141,7 @@ bool has_choices(const Field& field);
 /// The key of a column in a row that is a block: "rolling_speed" of "rolling speed".
 std::string column_key(const ListColumn& column);
 
-/// What the field requires, as in "a length like '3 mm', greater than 0 mm".
+/// Requirement of the field, as in "a length like '3 mm', greater than 0 mm".
 std::string requirement(const Field& field);
 
 }  // namespace orbearing::app

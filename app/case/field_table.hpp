@@ -12,7 +12,8 @@ namespace orbearing::app {
 /// All fields, in the order in which cases are written.
 const std::vector<Field>& all_fields();
 
-/// The field of that path, or null. Of "sets.NAME.gearset.module" it is "gearset.module", which knows no set.
+/// The field of that path, or null. For "sets.NAME.gearset.module" it is "gearset.module", which names no
+/// set.
 const Field* find_field(std::string_view path);
 
 /// Names of sets and shafts: letters, digits and _, beginning with a letter.
@@ -23,7 +24,7 @@ inline constexpr const char* name_rule =
 /// Length of "sets.NAME." at the beginning of a path; 0 for a path without it.
 std::size_t set_prefix_length(std::string_view path);
 
-/// That beginning.
+/// "sets.NAME." at the beginning of a path; empty for a path without it.
 inline std::string set_of(std::string_view path) {
   return std::string(path.substr(0, set_prefix_length(path)));
 }
@@ -37,13 +38,13 @@ bool in_each_set(const Field& field);
 /// The field of `shafts.NAME`.
 const Field& shaft_field();
 
-/// Fields that any of the models knows, in table order.
+/// Fields that any of the models uses, in table order.
 std::vector<const Field*> fields_of(unsigned models);
 
 /// Name of a model of this version, and back (`no_model` for another name).
 std::string_view model_name(Model model);
 Model model_of(std::string_view name);
-/// Of the model that a case names: a ball bearing with a block `simulation`, and a scratched bearing with
+/// Model of a case that names `named`: a ball bearing with a block `simulation`, and a scratched bearing with
 /// rollers, are models of their own.
 Model specific_model(Model named, bool simulation, bool rollers);
 const std::vector<Model>& models();
@@ -52,8 +53,8 @@ const std::vector<Model>& models();
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 namespace table {
-/// Puts rows that stand beside no member into a table, all of the same models. What else a row says follows
-/// it: `rows.number(...).by_default("1", "no run-up")`.
+/// Adds rows of fields without a described member to a table, all of the same models. Further properties of a
+/// row are appended: `rows.number(...).by_default("1", "no run-up")`.
 class Rows {
  public:
   Rows(std::vector<Field>& fields, unsigned models) : fields_(fields), models_(models) {}

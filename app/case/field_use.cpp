@@ -8,7 +8,7 @@ namespace orbearing::app {
 
 namespace {
 
-// What an analysis does with a field stands in one of these.
+// Members of Use that hold the possible uses of a field by an analysis.
 constexpr unsigned Use::*kStatuses[]{&Use::by, &Use::not_modelled_by, &Use::refused_by};
 
 void put(Use& use, use::Analysis analysis, unsigned Use::*status) {
@@ -37,7 +37,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }
-  // Of planets that find their tilt at rest, with which the bearings go on in motion.
+  // Planets with a computed quasi-static tilt, which the bearings keep in motion.
   const bool computed_tilt =
       path.starts_with("support.pin_") ||
       is_one_of(path, {"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences",
@@ -61,8 +61,8 @@ bool links_rows(std::string_view path) {
 
 namespace {
 
-// Of what natural frequencies or points at rest use, what the carrier as a body leaves out: how members turn
-// and stand in their planes, tilts that it computes itself, and what is made of lives.
+// Inputs of natural frequencies or of quasi-static points that the carrier as a body leaves out: rotation and
+// supports of members in their planes, tilts that it computes itself, and inputs of lives.
 bool is_left_out_of_carrier(std::string_view path) {
   const bool rotation = path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness");
   return (rotation && path.starts_with("gearset.dynamics.")) || links_rows(path) ||

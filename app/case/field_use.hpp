@@ -1,5 +1,5 @@
-// Who uses a field of a case: each command, rung of the fidelity ladder and export. Every row of the table of
-// fields says so; what is given and not used is refused or warned of from here.
+// Uses of a field of a case: by each command, fidelity and export. Every row of the table of fields states
+// them; inputs that are given and not used are refused or warned of from here.
 #pragma once
 
 #include <algorithm>
@@ -73,8 +73,8 @@ inline constexpr unsigned all =
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use
 
-/// What one of `paths` must be for a field to count: one of `values`; without values, given and not zero. A
-/// field that is absent counts as no value.
+/// Condition under which a field has an effect: one of `paths` has one of `values`; without values, it is
+/// given and not zero. An absent field meets no value.
 struct Condition {
   std::vector<std::string> paths;
   std::vector<std::string> values{};
@@ -84,7 +84,7 @@ struct Condition {
   std::string text{};  // of that: "it counts only where ..."
 };
 
-/// Analyses that use a field where all conditions hold, whatever its row says besides.
+/// Analyses that use a field where all conditions hold, besides the other uses of its row.
 struct Way {
   unsigned by = 0;
   std::vector<Condition> conditions{};
@@ -95,10 +95,10 @@ Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
 Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view set), std::string text);
-/// Pins off their places: loads at rest then follow from what gives way under the planets.
+/// Pins with position errors: quasi-static loads then depend on the compliance under the planets.
 Condition where_planets_carry_unlike_loads();
-/// Pins that one wall of the carrier holds; they count where tilts are computed. A flexpin alone has a
-/// diameter of its own.
+/// Pins that one wall of the carrier holds; they have an effect where tilts are computed. Only a flexpin has
+/// a diameter of its own.
 Condition where_pin_links(std::string_view path);
 Condition where_tilts_are_computed();
 /// Whether a field makes the pin that links the bearings on it in three dimensions, and where it does so.
@@ -107,15 +107,14 @@ bool links_rows(std::string_view path);
 /// Gears on springs that follow from their bearings.
 Condition where_bearings_make_springs();
 
-/// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
-/// named nowhere in the row warns of a value that is given and neither the default nor zero.
+/// Uses of a field. There is no default: a row without it does not compile. An analysis that is named nowhere
+/// in the row warns of a value that is given and neither the default nor zero.
 struct Use {
   Use(unsigned used_by, unsigned not_modelled, unsigned refused = 0)
       : by(used_by), not_modelled_by(not_modelled), refused_by(refused) {}
   /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
-  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is not
-  /// modelled there.
+  /// Makes `analyses` use it where `conditions` hold. Elsewhere, those that do not use it do not model it.
   Use used_too(unsigned analyses, std::vector<Condition> conditions) const;
   Use used_too(unsigned analyses, Condition condition) const;
   /// `analyses` use it where `conditions` hold, and only there.
@@ -132,19 +131,19 @@ struct Use {
 
 /// With the scratched planet bearing: it is moved as by monolithic, and has no life.
 Use with_planet_defect(const Use& use, std::string_view path);
-/// With the carrier as a body: of a case counts what natural frequencies at rest and points at rest take, but
-/// for moments of inertia, what holds members in their planes and what a case says of the planets' tilt;
-/// places of bearings and backlash count besides.
+/// With the carrier as a body: it uses the inputs of natural frequencies and of quasi-static points, except
+/// moments of inertia, supports of members in their planes and stated tilts of the planets; positions of
+/// bearings and backlash have an effect too.
 Use with_carrier_body(Use use, std::string_view path);
-/// Points at rest, and natural frequencies, take the carrier as a body where a case states its bearings: what
-/// with_carrier_body() says.
+/// Quasi-static points, and natural frequencies, model the carrier as a body where a case states its
+/// bearings: uses as by with_carrier_body().
 Use with_carrier_beside(const Use& use, std::string_view path);
 
-/// What a row says of another input beside its own.
+/// Condition of a row on another input.
 Condition condition_of(const described::Where& where);
 
-/// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
-/// used, but for those that cannot take it.
+/// Uses of a field whose row is beside its member: by the analyses that include its physics, except those
+/// that cannot use it.
 Use use_of(const described::Facts& facts);
 
 }  // namespace orbearing::app

@@ -1,5 +1,5 @@
-// Rows beside the structures of a machine (mechanics/described.hpp) as fields of cases: what belongs to one
-// alternative among several says so.
+// Rows beside the structures of a machine (mechanics/described.hpp) as fields of cases; fields of one
+// alternative among several are marked so.
 #pragma once
 
 #include <algorithm>
@@ -156,8 +156,8 @@ std::vector<std::string> paths_of() {
 /// Fields of the machine of that model; empty where its cases are no type.
 const std::vector<Field>& fields_of_machine(Model model);
 
-/// Adds the fields of all machines, with the analyses that use them. What another model has as well is the
-/// same field. Throws std::logic_error where two rows of one path have unlike defaults.
+/// Adds the fields of all machines, with the analyses that use them. A field that another model has as well
+/// is the same field. Throws std::logic_error where two rows of one path have different defaults.
 void add_machine_fields(std::vector<Field>& fields);
 
 }  // namespace orbearing::app

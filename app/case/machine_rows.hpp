@@ -48,7 +48,7 @@ struct MeshesOfPair {
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view command = "mesh";
   static constexpr const char* name = "mesh";        // for users, among those that use an input
-  static constexpr const char* other_fidelity = "";  // what is required in place of another --fidelity
+  static constexpr const char* other_fidelity = "";  // required instead of another --fidelity
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
   static constexpr double scatter = app::scatter::at_rest;
 };
@@ -76,7 +76,7 @@ struct RowsOf {
 using Machines = RowsOf<machine_rows::PairOfGears, machine_rows::SpinFilm>;
 using MachineAnalyses = RowsOf<machine_rows::MeshesOfPair, machine_rows::FilmOfContact>;
 
-/// What a function of the library takes.
+/// Type of the inputs of a library function.
 template <class Function>
 struct InputsOf;
 template <class Result, class Inputs>

@@ -22,13 +22,13 @@ struct MachineAnalysis {
   AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);
 };
 const std::vector<MachineAnalysis>& machine_analyses();
-/// That of a command; null where the model has none, or is no machine's.
+/// Analysis of a command; null where the model has none, or is not a machine.
 const MachineAnalysis* machine_analysis(Model model, std::string_view command);
 
-/// What of a machine is missing or does not fit together.
+/// Mistakes in the inputs of a machine: missing values, or values that do not fit together.
 void check_machine(CheckedCase& in);
 
-/// What follows from its inputs.
+/// Quantities derived from the inputs of a machine.
 std::vector<Derived> machine_quantities(const ResolvedCase& in);
 
 }  // namespace orbearing::app

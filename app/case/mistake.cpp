@@ -21,7 +21,7 @@ std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mista
   std::vector<std::string> lines;
   for (const Mistake& mistake : mistakes) {
     std::string line = describe(mistake, file);
-    // Two checks may object to the same thing in the same words.
+    // Two checks may report the same mistake in the same words.
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
   }
   return lines;

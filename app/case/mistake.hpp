@@ -11,7 +11,7 @@
 
 namespace orbearing::app {
 
-/// Where something was written: in the file, or as the n-th --set option.
+/// Location of a text: in the file, or in the n-th --set option.
 struct Location {
   bool option = false;
   int line = 1;             // counted from 1; for an option, its number
@@ -30,8 +30,8 @@ struct Mistake {
   ConsistencyMessage message;
 };
 
-/// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`. Whatever
-/// of the user's stands in it is printable; the path is shortened.
+/// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`. Text from
+/// the user is made printable; the path is shortened.
 std::string describe(const Mistake& mistake, const std::string& file);
 
 /// Result of `change`. The lines with which it refuses a changed case name --set. Those that begin with the

@@ -64,7 +64,7 @@ double viscosity_40_of(const std::string& grade) {
   return 1e-6 * *read_number(std::string_view(grade).substr(prefix)).value;
 }
 
-// `number` gives the value of a field, and null where there is none: that of the density counts for drag.
+// `number` gives the value of a field, and null where there is none: that of the density is used for drag.
 template <class Number>
 double density_that_counts(const Number& number) {
   const double *density = number("lubricant.density"), *drag = number("drag.enabled");
@@ -133,12 +133,12 @@ void fill_from_grade(CaseData& data, Model model) {
   const double* temperature = number(kTemperature);
   if (grade == data.values.end() || temperature == nullptr) return;
   const std::string name = grade->second.value.given;
-  if (name == kStatedGrade && !data.values.contains(kAt40)) return;  // check_grade() says it
+  if (name == kStatedGrade && !data.values.contains(kAt40)) return;  // reported by check_grade()
   std::vector<OilProperty> properties;
   try {
     properties = properties_of(name, oil_by_inputs(name, number), *temperature);
   } catch (const std::invalid_argument&) {
-    return;  // check_grade() says it
+    return;  // reported by check_grade()
   }
   for (const OilProperty& property : properties) {
     const Field* field = find_field(property.path);

@@ -1,4 +1,4 @@
-// An oil by its grade and temperature, in place of the single properties that follow from it.
+// An oil by its grade and temperature, instead of the single properties that follow from it.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace orbearing::app {
 
-// Values that follow from another input and stand in place of what is stated: oil by its grade, a bearing by
-// its designation.
+// Values that follow from another input and replace stated ones: oil by its grade, a bearing by its
+// designation.
 
 /// Gives the input at `path` the value `text`, as it would be written in a case, with `reason` among the
-/// assumptions. What is stated and differs is kept for those who say that it has no effect. Nothing happens
-/// where the field does not take the value: it wants one of its own.
+/// assumptions. A stated value that differs is kept for the warning that it has no effect. Nothing happens
+/// where the field does not accept the value: the case must state one.
 void substitute(CaseData& data, const std::string& path, const std::string& text, const std::string& reason);
 
-/// The same where nothing is stated; what is stated stays.
+/// The same where nothing is stated; a stated value remains.
 void put_where_absent(CaseData& data, const std::string& path, const std::string& text,
                       const std::string& reason);
 
@@ -33,7 +33,7 @@ inline constexpr std::array<std::string_view, 2> kViscosityPaths{"life.viscosity
 /// The grade of an oil whose viscosities at 40 and 100 degC the case states.
 inline constexpr const char* kStatedGrade = "stated";
 
-/// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
+/// Density of the oil [kg/m^3]: the stated one where it has an effect, else that of a mineral oil.
 double oil_density(const ResolvedCase& resolved);
 
 /// The oil that `lubricant.grade` names, or of which lubricant.viscosity_40 and viscosity_100 state the
@@ -44,11 +44,11 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
 /// Relative decrease of its viscosity per kelvin [1/K].
 double graded_viscosity_slope(const ResolvedCase& resolved);
 
-/// Where `lubricant.grade` or lubricant.viscosity_40 is given, the properties of such an oil stand in place
-/// of what is stated, which then has no effect.
+/// If `lubricant.grade` or lubricant.viscosity_40 is given, the properties of such an oil replace stated
+/// ones, which then have no effect.
 void fill_from_grade(CaseData& data, Model model);
 
-/// Whether anything is known of such an oil.
+/// Mistakes in the grade and the viscosities of an oil.
 void check_grade(CheckedCase& resolved);
 
 }  // namespace orbearing::app

@@ -13,7 +13,7 @@ namespace {
 // As the viscosity that follows, and for the life by film and cleanliness too.
 Use use_of_grade(const Field& viscosity) {
   Use use = viscosity.use;
-  // That no grade is given.
+  // The condition that no grade is given.
   use.conditions.clear();
   for (Way& way : use.ways)
     std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
@@ -22,7 +22,7 @@ Use use_of_grade(const Field& viscosity) {
 
 }  // namespace
 
-// What uses the viscosity uses them.
+// The analyses that use the viscosity use these fields.
 void add_oil_fields(std::vector<Field>& fields) {
   const Field viscosity = row_of(fields, "lubricant.viscosity");
   const Use use = use_of_grade(viscosity), beside = use.when(where_given({"lubricant.grade"}));

@@ -11,8 +11,8 @@ namespace orbearing::app {
 /// Length [byte] of the UTF-8 character that begins at `at`; 0 where none does.
 std::size_t utf8_character(std::string_view text, std::size_t at);
 
-/// Where the first byte stands that is not UTF-8, and where the first control character other than tab and
-/// end of line; the size of the text where there is none.
+/// Position of the first byte that is not UTF-8, and of the first control character other than tab and end of
+/// line; the size of the text where there is none.
 std::size_t first_byte_not_utf8(std::string_view text);
 std::size_t first_control_character(std::string_view text);
 

@@ -24,7 +24,7 @@ double value_or(const ResolvedCase& in, const std::string& key, double otherwise
   return in.has(kBlock + key) ? in.value(kBlock + key).number : otherwise;
 }
 
-// What the roller of the case offers its profile.
+// Properties of the roller that its profile uses.
 struct Roller {
   double length = 0.0;    // [m]
   double diameter = 0.0;  // [m]
@@ -82,7 +82,8 @@ bool has_own_depth(const ResolvedCase& in) {
          (kind == "lundberg" || kind == "johns-gohar" || kind == "fujiwara-kawase");
 }
 
-// ISO/TS 16281 has no life of fewer; where rollers are straight the stress riser stands for their ends.
+// ISO/TS 16281 has no life with fewer laminae; for straight rollers the stress riser accounts for the roller
+// ends.
 void check_laminae(CheckedCase& in) {
   if (!has_all(in, {"bearing.laminae", "bearing.profile.kind", "life.method"})) return;
   const int laminae = in.integer("bearing.laminae");

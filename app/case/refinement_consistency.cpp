@@ -61,7 +61,7 @@ void check_tooth_contact(CheckedCase& in) {
                       "no stated mesh stiffness is required, which follows from the teeth");
 }
 
-// A planet that finds its tilt: it acts on laminae, and is that of bearings at rest.
+// Computed tilt of a planet: it acts on laminae, and is that of bearings at rest.
 void check_tilt(CheckedCase& in) {
   const char* state = "bearing.tilt_state";
   if (!in.is(state, "computed") || !in.has("bearing.per_planet")) return;
@@ -81,7 +81,7 @@ void check_tilt(CheckedCase& in) {
                       fmt::format("one for each of the {} bearings of a planet is required", bearings));
 }
 
-// Planets with two gears, or in pairs, are spur gears on rigid bodies whose bearings carry alike.
+// Planets with two gears, or in pairs, are spur gears on rigid bodies whose bearings carry equal loads.
 void check_plain_planets(CheckedCase& in, const char* teeth, const std::string& planets,
                          const std::string& alike) {
   const auto object_to = [&](const std::string& other, const std::string& required) {
@@ -174,7 +174,7 @@ using bearing::PlanetBearingType;
 
 constexpr const char* kBearingType = "bearing.type";
 
-// What these bearings are not computed with.
+// Adds a mistake for an input that is not modelled with this type of bearing.
 void not_with_type(CheckedCase& in, const std::string& path, const std::string& value) {
   const bool of_laminae = path == "bearing.laminae" || path == "bearing.profile.kind";
   in.add_error_at(path, fmt::format("{} together with bearing.type: {}", value, in.choice(kBearingType)),

@@ -56,7 +56,7 @@ void table::add_requirements(std::vector<Field>& fields) {
   const Use use(kJudgedBy, use::all & ~kJudgedBy);
   for (const RequirementRow& row : kRequirementRows) {
     Rows rows(fields, row.models);
-    // By stating one a case chooses the life that a crown goes by, where nothing else does.
+    // A stated requirement selects the life that a crown optimizes, where no other input does.
     const Use limit = use.used_too(use::crown, {where_true(requirements_choose_the_life,
                                                            "where neither life.method nor C is stated")});
     if (row.dimension.name.empty())

@@ -22,8 +22,8 @@ namespace orbearing::app {
 inline const std::string kSpeedPath = "input.speed";
 inline const std::string kSpeedOfPath = "input.speed_of";
 inline const std::string kPowerPath = "input.power";
-inline const std::string kTorquePath = "input.torque";             // in place of the power
-inline const std::string kTorqueCurvePath = "input.torque_curve";  // likewise
+inline const std::string kTorquePath = "input.torque";             // instead of the power
+inline const std::string kTorqueCurvePath = "input.torque_curve";  // instead of the power
 
 /// The speed of the input by its number in the unit of tables.
 Setting input_speed(double rpm);
@@ -81,8 +81,8 @@ struct StoredValue {
   FieldValue value;
   Location location;
   bool from_default = false;
-  std::vector<Location> item_locations{};  // list: of its elements, where they stand apart
-  std::string replaced{};                  // as written, where another input stands in its place
+  std::vector<Location> item_locations{};  // list: of its elements, where these have their own
+  std::string replaced{};                  // as written, where another input replaces it
 };
 
 /// An order of paths that seldom has to read them.
@@ -93,7 +93,7 @@ struct ByLengthAndText {
   }
 };
 
-/// What a resolved case consists of.
+/// Contents of a resolved case.
 struct CaseData {
   std::string file;
   CaseShape shape;
@@ -125,22 +125,22 @@ class ResolvedCase {
   const FieldValue& value(std::string_view path) const { return stored(path).value; }
   /// The value as written: "150 kW".
   const std::string& given(std::string_view path) const;
-  /// The same, also where another input stands in its place.
+  /// The same, also where another input replaces it.
   const std::string& written(std::string_view path) const;
   /// "FILE:LINE:COLUMN", "--set" or "default".
   std::string origin(std::string_view path) const;
   Location location(std::string_view path) const;
-  /// Of an element of a list.
+  /// Location of an element of a list.
   Location item_location(std::string_view path, std::size_t item) const;
 
   Model model() const;
   const CaseShape& shape() const { return data_->shape; }
-  /// All that may stand in this case, in the order in which it is written.
+  /// All inputs that this case may have, in the order in which it is written.
   std::vector<Input> inputs() const { return inputs_of(model(), data_->shape); }
   const std::string& file() const { return data_->file; }
   const std::vector<SweepAxis>& axes() const { return *data_->axes; }
   const StatedUncertainty& uncertain() const { return *data_->uncertain; }
-  /// Whether another input stands in the place of this one.
+  /// Whether another input replaces this one.
   bool is_replaced(std::string_view path) const { return !stored(path).replaced.empty(); }
   /// Reasons by path; defaults in use are among them.
   const std::map<std::string, std::string, std::less<>>& assumed() const { return data_->assumed; }
@@ -164,7 +164,7 @@ class ResolvedCase {
   /// Copy without its sweep: the one operating point that the values state.
   ResolvedCase without_sweep() const;
 
-  /// Equal values, reasons and axes; places do not count.
+  /// Equal values, reasons and axes; locations are not compared.
   bool operator==(const ResolvedCase& other) const;
 
  private:
@@ -194,7 +194,7 @@ struct Derived {
   std::string meaning;
 };
 
-/// Where one of these holds, the input at `path` follows from another one and may be left out; none: it never
+/// Conditions under which the input at `path` follows from another one and may be left out; empty: it never
 /// does.
 std::vector<Condition> given_by(std::string_view path);
 

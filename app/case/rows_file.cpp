@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of all columns, or those that a row cannot be without.
+// Keys of all columns, or of the columns that each row requires.
 std::vector<std::string> column_keys(const Field& field, bool required) {
   std::vector<std::string> keys;
   for (const ListColumn& column : field.columns)
@@ -100,7 +100,7 @@ class RowsReader {
     return true;
   }
 
-  // A column whose name says the unit may repeat it: hours, hours_h.
+  // A column whose name has the unit may repeat it: hours, hours_h.
   bool takes_unit(const HeaderCell& cell) const {
     const ListColumn* column = column_of(field_, cell.name);
     return column != nullptr && !column->dimension.si.empty();

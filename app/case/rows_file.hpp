@@ -1,5 +1,4 @@
-// Rows of a list, or of a matrix, that stand in a file of their own, as {file: loads.csv} says in place of
-// the list.
+// Rows of a list, or of a matrix, in a separate file, which {file: loads.csv} names instead of the list.
 //
 //     speed_rpm, torque_N_m, share        a column for each name of the field, its unit in the header:
 //     6000, 238.7, 0.4                    "torque_N_m", "torque [N.m]", "torque (N m)"; without one each cell
@@ -86,12 +85,12 @@ class KeepingFiles {
 /// A file name that outlives its reader, for locations.
 std::string_view lasting(const std::string& name);
 
-/// The file that {file: NAME} in place of the field's list names; none where it cannot be read, with the
+/// The file that {file: NAME} names instead of the field's list; none where it cannot be read, with the
 /// mistake added.
 std::optional<NamedFile> file_of_block(const Field& field, const Entry& block, const std::string& path,
                                        const std::string& case_file, std::vector<Mistake>& mistakes);
 
-/// None where it cannot be read, with the mistake added at `named`, where its name stands.
+/// None where it cannot be read, with the mistake added at `named`, the location of its name.
 std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,
                                          const std::string& path, const std::string& case_file,
                                          std::vector<Mistake>& mistakes);

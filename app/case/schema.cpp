@@ -111,7 +111,7 @@ Json default_value(const Field& field) {
   return text ? Json(field.default_text) : Json::parse(field.default_text);
 }
 
-// Of a file of a user's other ones are right as well.
+// Designations of the built-in catalogue; a user's catalogue file may have others.
 std::vector<std::string> built_in_designations() {
   std::vector<std::string> names;
   for (const bearing::catalogue::Entry& entry : built_in_catalogue())
@@ -155,7 +155,7 @@ unsigned kinds_of(Model model) {
   return model == ball_bearing ? single_ball_bearing : unsigned{model};
 }
 
-// That a block has a value at `path` within it, one of `values` if there are any.
+// Schema of a block with a value at `path` within it, one of `values` if there are any.
 Json present(std::string_view path, const std::vector<std::string>& values) {
   const auto dot = path.find('.');
   const std::string key(path.substr(0, dot));

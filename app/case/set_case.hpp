@@ -11,13 +11,14 @@
 
 namespace orbearing::app {
 
-// What in a case makes the planets of a set carry unlike loads.
+// Inputs of a case that make the planets of a set carry unequal loads.
 
 /// Whether the case has a list at `path` with a value that is not zero.
 bool is_anywhere_nonzero(const ResolvedCase& resolved, std::string_view path);
 
-/// The path of the value by which planets carry unlike loads: pins off their places, or places at unequal
-/// steps; empty: none does. Of the one set of a case, or of one of several by ResolvedCase::of_set().
+/// The path of the value by which planets carry unequal loads: pins with position errors, or planets at
+/// unequal angles; empty: none does. For the one set of a case, or for one of several by
+/// ResolvedCase::of_set().
 std::string uneven_planets_by(const ResolvedCase& resolved);
 
 /// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a
@@ -42,8 +43,9 @@ std::string location_in_case(const ResolvedCase& resolved, const std::string& lo
 /// are checks alone: results follow from the independent values.
 void check_stated_geometry(CheckedCase& resolved);
 
-/// A negative shift of the ring is legal, and what sources by DIN 3960 print for a positive one: both
-/// readings, where the other could be assembled too and nothing stated tells them apart.
+/// Warnings on a negative profile shift of the ring: it is legal, but sources by DIN 3960 print it for a
+/// positive shift. They give both readings where the other could be assembled too and no stated value
+/// excludes it.
 std::vector<std::string> ring_sign_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -67,7 +67,7 @@ std::vector<FormerKey> former_keys() {
 
 namespace {
 
-// What lies below a renamed block is not listed again.
+// Keys within a renamed block are not listed again.
 void add_former_keys(const Entry& block, const std::string& prefix, std::vector<FormerKey>& found) {
   if (block.shape != Entry::Shape::block) return;
   for (const Member& member : block.members) {
@@ -146,7 +146,7 @@ Entry read_value(const std::string& path, const std::string& text) {
   if (!takes_any_text(path)) return read_yaml(text);
   const bool is_text =
       first_byte_not_utf8(text) == text.size() && first_control_character(text) == text.size();
-  if (!is_text) return read_yaml(text);                                      // which says so
+  if (!is_text) return read_yaml(text);                                      // which reports it
   if (text.find('\n') != std::string::npos) return make_scalar(text, true);  // lines of a table stay apart
   try {
     Entry entry = read_yaml(text);
@@ -167,7 +167,7 @@ void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
   *block = std::move(value);
 }
 
-// Whether the key stood there.
+// Whether the key was there.
 bool remove(Entry& block, const std::vector<std::string>& keys, std::size_t from = 0) {
   if (block.shape != Entry::Shape::block) return false;
   if (from + 1 < keys.size()) {
@@ -177,7 +177,7 @@ bool remove(Entry& block, const std::vector<std::string>& keys, std::size_t from
   return std::erase_if(block.members, [&](const Member& member) { return member.key == keys[from]; }) > 0;
 }
 
-// What is left out has no reason: its default has its own.
+// A value that is left out has no reason: its default has its own.
 void remove_reasons(Entry& root, const std::string& path) {
   if (Member* assumed = find_member(root, "assumed"); assumed != nullptr)
     std::erase_if(assumed->value.members, [&](const Member& member) {

@@ -27,20 +27,20 @@ std::vector<FormerKey> former_keys_in(const Entry& root, const std::vector<std::
 /// sets, too.
 std::string present_path(const std::string& path);
 
-/// Gives all keys of a case file their present names. Where both names stand, the former one stays and is an
-/// unknown key.
+/// Gives all keys of a case file their present names. Where a file has both names, the former one remains and
+/// is an unknown key.
 void rename_former_keys(Entry& block, const std::string& prefix = "");
 
 /// Replacement of one independent value.
 struct Setting {
   std::string path;                // of a list of numbers also "PATH[i]", its element i, counted from 0
-  std::string text;                // as in a case; empty: the number says it
+  std::string text;                // as in a case; empty: the number is used
   std::optional<double> number{};  // [SI] where the text has been read or there is none
 
   auto operator<=>(const Setting&) const = default;
 };
 
-/// Puts every setting into the tree as if it stood in the file; malformed ones become mistakes. A block or
+/// Puts every setting into the tree as if the file contained it; malformed ones become mistakes. A block or
 /// list is replaced as a whole; of two settings of one path the later holds. The value null leaves the key
 /// out.
 void apply_settings(Entry& root, const std::vector<std::string>& settings, std::vector<Mistake>& mistakes);

@@ -21,10 +21,10 @@ constexpr double kMostPower = 1e10;  // [W]  as of input.power
 
 /// Columns of a row, in the order of the field.
 struct StatedBin {
-  double power = 0.0;   // [W]      0 where torque stands in its place
+  double power = 0.0;   // [W]      0 where torque is given instead
   double torque = 0.0;  // [N m]
   double speed = 0.0;   // [rad/s]
-  double share = 0.0;   // [-]      0 where hours stand in its place
+  double share = 0.0;   // [-]      0 where hours are given instead
   double time = 0.0;    // [s]
   double file = 0.0;    // number of its text; 0: the row names none
 
@@ -59,7 +59,7 @@ std::optional<double> torque_at(const std::vector<double>& curve, double speed) 
   return std::nullopt;
 }
 
-// Of which a case states one.
+// Inputs of the duty, of which a case states one.
 constexpr std::array duty_paths{&kPowerPath, &kTorquePath, &kTorqueCurvePath};
 
 const std::string* stated_duty(const CaseData& data) {
@@ -95,7 +95,7 @@ void fill_from_torque(CaseData& data) {
   const FieldValue& value = data.values.at(*path).value;
   const double at = speed->second.value.number;
   const std::optional<double> torque = *path == kTorquePath ? value.number : torque_at(value.list, at);
-  if (!torque) return;  // check_torque() says so
+  if (!torque) return;  // reported by check_torque()
   const auto power = data.values.find(kPowerPath);
   const double derived = *torque * at;
   if (power != data.values.end() && !power->second.from_default &&

@@ -21,7 +21,7 @@ bearing::Bearing bearing_of(const ResolvedCase& in) {
   if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
   bearing = from_case(in, bearing);
   if (is_full_complement(in)) bearing.cage = {};
-  // What a case cannot say by fields alone.
+  // Values that a case does not state by fields alone.
   if (auto* rollers = std::get_if<bearing::CylindricalRollers>(&bearing.elements)) {
     if (rollers->laminae == 0) rollers->laminae = default_laminae;
     rollers->profile = roller_profile_of(in);

@@ -20,7 +20,7 @@ bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& resolved);
 /// How its rings turn.
 bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& resolved);
 
-/// What the case states in place of the standard's values.
+/// Ratings that the case states instead of the standard's values.
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);
 
 // From a resolved case of a ball bearing with a block `simulation` to its motion in time.

@@ -80,7 +80,7 @@ void check_oil_supply(CheckedCase& in) {
                     "bearing.bore and bearing.outside_diameter are required");
 }
 
-// What a motion needs beyond a balance.
+// Additional requirements of a motion, compared with a static equilibrium.
 void check_motion(CheckedCase& in) {
   if (in.model() != ball_motion) return;
   if (!(is_positive(in, "rotor.mass") && is_positive(in, "rotor.inertia")) &&

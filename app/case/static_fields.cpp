@@ -1,4 +1,4 @@
-// Fields of one bearing: balls and grooves, loads, speeds, what the standard life asks, scratches and their
+// Fields of one bearing: balls and grooves, loads, speeds, inputs of the standard life, scratches and their
 // signal.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
@@ -49,7 +49,7 @@ void add_operation(std::vector<Field>& fields) {
   const Condition of_balls = where_given({"bearing.balls"});
   Use of_shaft = by_any_load;
   of_shaft.by |= use::defect | use::moving_defect;
-  // The stiffness of balls stands beside the speed of the shaft.
+  // The stiffness of balls is computed at the speed of the shaft.
   Rows(fields, single_bearing | described::single_scratched | duplex_pair)
       .quantity("operation.shaft_speed", "speed of the inner ring",
                 of_shaft.used_too(use::duplex, where_balls_turn_with_effect())
@@ -83,7 +83,7 @@ void add_operation(std::vector<Field>& fields) {
 
 void add_capacities(std::vector<Field>& fields) {
   Rows rows(fields, rated | duplex_pair);
-  // Of each row of a pair too.
+  // Ratings of each row of a pair too.
   constexpr unsigned shown_by = use::static_load | use::ball_run | use::duplex_run;
   const Use by_lives(shown_by | use::lives,
                      use::stiffness | use::duplex_modes | (use::of_a_drivetrain & ~unsigned{use::lives}));
@@ -134,7 +134,7 @@ void add_life(std::vector<Field>& fields) {
       "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule "
       "of thumb [SKFMinimumLoad]: 0.02 for roller bearings, 0.01 for ball bearings",
       by_planets.when(where_given({kSpectrumPath})), positive(1.0));
-  // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it by itself.
+  // a_1 is in L10m and L10mr, which require an oil; a quasi-static bearing under a load shows it in any case.
   rows.number("life.reliability", "reliability: share of bearings that reach the life",
               by_life.when(where_oil_is_stated())
                   .used_too(use::static_load,

@@ -133,7 +133,7 @@ class AxisReader {
   double in_unit(const char* key, const std::string& unit) const {
     const WrittenQuantity written = *split_quantity(part(key).text).value;
     if (written.unit == unit) return written.value;
-    // Both are units of the field: through SI, which knows those of data sheets too.
+    // Both are units of the field: converted through SI, which includes those of data sheets.
     const std::string_view si = field_.dimension.si;
     return *convert(written.value, written.unit, si).value / *convert(1.0, unit, si).value;
   }

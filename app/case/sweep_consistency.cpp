@@ -59,7 +59,8 @@ Mistake at_axis(const SweepAxis& axis, const ValidationError& validation_error) 
   return {axis.locations[validation_error.value], "sweep." + axis.path, {found, message.required}};
 }
 
-/// An axis is to blame for what is said of its own path; of the rest, for what nobody was blamed for before.
+/// Mistakes at the path of an axis are reported at that axis; so are others that no axis was reported for
+/// before.
 void tell(const SweepAxis& axis, const std::vector<ValidationError>& errors, std::set<std::string>& known,
           std::vector<Mistake>& mistakes) {
   std::size_t count = 0;

@@ -38,7 +38,7 @@ std::string without_brackets(const std::string& text) {
   return is_bracketed(text) ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Of the line of names.
+/// Separator of the columns, found in the line of names.
 char separator_of(const std::string& line) {
   bool quoted = false;
   std::string found;
@@ -57,7 +57,7 @@ bool is_number(std::string text) {
   return read_number(text).value.has_value();
 }
 
-// What programs write in place of a value: no unit.
+// Whether programs write this text instead of a missing value: it is no unit.
 bool is_missing_value(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   constexpr std::array<std::string_view, 11> words{"nan",  "nat", "na",   "n/a",  "#n/a",   "null",
@@ -165,7 +165,7 @@ bool splits_decimal_commas(const std::vector<TableCell>& cells, std::size_t colu
       ++halves;
       ++i;
     }
-  // Where one value has a decimal point, no comma is one.
+  // If one value has a decimal point, no comma is a decimal comma.
   const bool points = std::any_of(cells.begin(), cells.end(), [](const TableCell& cell) {
     return cell.text.find('.') != std::string::npos;
   });
@@ -221,7 +221,7 @@ void TextTable::decode(Line& line) {
   const std::size_t byte = first_byte_not_utf8(line.text);
   const bool utf8 = byte == line.text.size();
   (utf8 ? utf8_line_ : latin1_line_) = line.number;
-  // Where both are found, one of them is damaged.
+  // If the file has both encodings, one of them is damaged.
   if (utf8_line_ > 0 && (latin1_line_ > 0 || beyond < byte) && !utf8)
     fail(line.number, static_cast<int>(byte) + 1,
          fmt::format("a byte that is not UTF-8 in a file whose line {} holds UTF-8", utf8_line_), kNotText);

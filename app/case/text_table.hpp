@@ -81,7 +81,7 @@ class TextTable {
   /// content is not shown.
   std::string shown_heads();
 
-  /// What the reader decided beyond UTF-8.
+  /// Warnings on text that is not UTF-8: how it was read.
   std::vector<std::string> warnings() const;
 
  private:

@@ -274,7 +274,7 @@ StatedCorrelations read_correlations(const Member& member, std::vector<Mistake>&
   return stated;
 }
 
-// The case or the set in which the path stands, as a case of one set.
+// The case, or the set of the path, as a case of one set.
 ResolvedCase set_of_path(const ResolvedCase& in, const std::string& path) {
   const std::size_t prefix = set_prefix_length(path);
   if (prefix == 0) return in;
@@ -362,7 +362,7 @@ class UncertainCheck {
     return stated.kind != "class" || stands_as_class(stated);
   }
 
-  // As the clearance by its class: a number without a default that is not stated, and would not count.
+  // As the clearance by its class: a number without a default that is not stated, and would have no effect.
   bool is_given_by_another(const std::string& path) const {
     const Input input{path, find_field(path)};
     return in_.assumed().contains(path) && input.field->default_text.empty() &&
@@ -386,7 +386,8 @@ class UncertainCheck {
     }
   }
 
-  // A share of a mean of 0 is no deviation. Where a setting made the mean 0, what asks for samples says so.
+  // A share of a mean of 0 is no deviation. Where a setting made the mean 0, the command that samples reports
+  // it.
   bool check_deviations(const StatedUncertain& stated, const std::vector<UncertainInput>& inputs) {
     if (in_.location(stated.path).option && !stated.location.option) return true;
     const bool sound =
@@ -432,7 +433,7 @@ class UncertainCheck {
     return read_field_number(field_of_number(*find_field(stated.path)), value).good;
   }
 
-  // What a value near either end contradicts.
+  // Mistakes of the case at a value near either end of the distribution.
   void check_ends(const StatedUncertain& stated, const UncertainInput& one) {
     auto [low, high] = ends_of(one, kNormallyWithin);
     if (stated.kind == "normal") {
@@ -537,7 +538,7 @@ UncertainInputs uncertain_inputs(const ResolvedCase& resolved) {
   return found;
 }
 
-// What is not finite is written as null.
+// Values that are not finite are written as null.
 nlohmann::json uncertain_json(const ResolvedCase& resolved) {
   const UncertainInputs found = uncertain_inputs(resolved);
   nlohmann::json inputs = nlohmann::json::array();

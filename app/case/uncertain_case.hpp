@@ -51,19 +51,19 @@ bool can_be_uncertain(const Field& field);
 StatedUncertainty read_uncertain(const Entry& block, unsigned model, const CaseShape& shape,
                                  std::vector<Mistake>& mistakes);
 
-/// Appends a mistake where the case has no such value or another input stands in its place, where ends or
-/// three standard deviations contradict the case, and where correlations belong to no distribution of joint
-/// normal scores.
+/// Appends a mistake where the case has no such value or another input replaces it, where ends or three
+/// standard deviations contradict the case, and where correlations belong to no distribution of joint normal
+/// scores.
 void check_uncertain(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
-/// What a sound case says, all numbers in SI.
+/// Distributions of a case without mistakes, all numbers in SI.
 UncertainInputs uncertain_inputs(const ResolvedCase& resolved);
 /// The same: {"inputs": [{"path", "distribution", "value", "mean", ...}], "correlations": [[...]]}; null for
-/// what a distribution does not have.
+/// quantities that a distribution does not have.
 nlohmann::json uncertain_json(const ResolvedCase& resolved);
 
-/// What lives at rest of a drivetrain, which `orbearing uncertainty` samples, do not depend on; one line
-/// each.
+/// Warnings on uncertain inputs that do not affect the quasi-static lives of a drivetrain, which `orbearing
+/// uncertainty` samples; one line each.
 std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

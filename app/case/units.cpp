@@ -57,7 +57,7 @@ ut_system* open_unit_system() {
   ut_set_error_message_handler(ut_ignore);
   ut_system* system = ut_read_xml(nullptr);
   if (system == nullptr) return nullptr;
-  // udunits2 knows "degree" only.
+  // udunits2 has only "degree".
   const Unit degree(ut_parse(system, "degree", UT_UTF8));
   ut_map_name_to_unit("deg", UT_UTF8, degree.get());
   constexpr double metric_horsepower = 735.49875;  // [W]  75 kgf m/s
@@ -91,7 +91,7 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-/// Units of data sheets that udunits2 does not know, or takes for something else, and what they mean where a
+/// Units of data sheets that udunits2 does not have, or reads as another unit, and their meaning where a
 /// quantity of that SI unit is required: C is a coulomb elsewhere, 1/min a frequency, PS a petasiemens.
 struct DataSheetUnit {
   std::string_view target;
@@ -246,7 +246,7 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
     return no_conversion(
         "the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name "
         "another)");
-  // Of a field, where it may be a number alone, or one that a page asks for.
+  // Target unit: that of a field, which may be a number alone, or one that a page requests.
   const bool sound = is_plain_unit(target_unit) || read_number(target_unit).value.has_value();
   const Unit target = sound ? parse_unit(target_unit) : nullptr;
   if (!target) return no_conversion(fmt::format("the unit {} is not known", quote(target_unit)));
@@ -293,7 +293,7 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   if (text.starts_with("\u2212"))
     return {std::nullopt,
             "it begins with the sign U+2212, a minus of typeset text; the minus of numbers is '-'"};
-  // from_chars would take "inf" and "nan", and "+-3" after the plus is gone.
+  // from_chars would accept "inf" and "nan", and "+-3" after the plus is removed.
   if (magnitude.empty() || !(is_digit(magnitude[0]) || magnitude[0] == '.'))
     return {std::nullopt, "it does not begin with a finite number"};
   double value = 0.0;

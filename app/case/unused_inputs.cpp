@@ -30,7 +30,7 @@ bool has_magnitude(const Field& field) {
          field.kind == Kind::list;
 }
 
-// The default, or zero where the field may be left out: a case that says so says nothing.
+// The default, or zero where the field may be left out: such a statement has no effect.
 bool is_neutral(const ResolvedCase& in, const Input& input) {
   const Field& field = *input.field;
   if (in.origin(input.path) == "default") return true;
@@ -57,7 +57,7 @@ bool counts(const ResolvedCase& in, const std::string& path, const std::vector<s
   return !(has_magnitude(field) && all_zero(in.value(path)));
 }
 
-// What hangs on inputs of another kind of case alone hangs on nothing here.
+// Whether the condition depends only on inputs of other models: such a condition is met here.
 bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
   return std::none_of(condition.paths.begin(), condition.paths.end(),
                       [&](const std::string& path) { return (find_field(path)->models & in.model()) != 0; });
@@ -94,7 +94,7 @@ bool counts_itself(const ResolvedCase& in, const Input& input) {
   return first_unmet(in, input) == nullptr || way_that_holds(in, input, ~0u) != nullptr;
 }
 
-// Beside a value that counts itself.
+// The condition holds with another value that has an effect itself.
 bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.absent || condition.holds != nullptr) return holds(in, input, condition);
   if (is_of_other_models(in, condition) && is_of_row(input, condition)) return true;
@@ -166,7 +166,7 @@ bool is_used_through_another(const ResolvedCase& in, const Input& input, use::An
   });
 }
 
-// Of the values of a condition those that the field may have.
+// The values of a condition that the field may have.
 std::vector<std::string> values_for(const Field& field, const Condition& condition) {
   std::vector<std::string> values = condition.values;
   if (field.kind == Kind::flag)
@@ -193,8 +193,8 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
   return fmt::format("where {}", fmt::join(required, ", or where "));
 }
 
-// What keeps a value from having an effect, and what else would give it one, by ways that this kind of case
-// has; none where nothing would.
+// Conditions that keep a value from having an effect, and others under which it would have one, by ways that
+// this kind of case has; empty where there are none.
 std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
   std::vector<std::string> texts;
   if (const Condition* unmet = first_unmet(in, input)) texts.push_back(condition_text(in, input, *unmet));
@@ -206,7 +206,7 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
     std::vector<std::string> unmet;
     for (const Condition& condition : way.conditions)
       if (!holds_beside(in, input, condition)) unmet.push_back(condition_text(in, input, condition));
-    if (unmet.empty()) continue;  // something else stands against it
+    if (unmet.empty()) continue;  // another condition prevents it
     const std::string text = fmt::format("{}", fmt::join(unmet, " and "));
     const bool same = !texts.empty() && std::find(unmet.begin(), unmet.end(), texts.front()) != unmet.end();
     if (!same && std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
@@ -214,7 +214,7 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
   return texts.empty() ? "" : fmt::format("it counts only {}", fmt::join(texts, ", or "));
 }
 
-// Of several sets, whether it is the one whose bearings the analysis moves: the one with the scratched
+// Whether the analysis moves the bearings of another set: it moves those of the set with the scratched
 // bearing.
 bool moves_another(const ResolvedCase& in, const std::string& set, use::Analysis analysis) {
   return analysis == use::planet_defect && in.has(kScratchedSet) && set != set_prefix(in.text(kScratchedSet));
@@ -308,7 +308,8 @@ std::vector<std::string> swept_paths(const ResolvedCase& in) {
   return paths;
 }
 
-// Of an axis that the analysis goes through, or that an option gives to one that goes through none.
+// Mistake or warning on an axis: one that the analysis sweeps, or one that an option gives to an analysis
+// without sweep.
 void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis analysis, Axes sweeps,
                 std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) {
   const std::string path = "sweep." + axis.path;
@@ -331,7 +332,7 @@ void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis ana
   }
 }
 
-// Of a type of bearing, the one that everything knows.
+// Requirement instead of a refused value; for a type of bearing, the type that every analysis models.
 std::string required_instead(const Input& input) {
   return input.field->path == "bearing.type" ? "cylindrical-roller is required" : "none is required";
 }
@@ -359,14 +360,14 @@ bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis ana
 UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const bool idle = first_unmet(resolved, input) != nullptr;
   if (is_neutral(resolved, input)) {
-    // What an option of this very command gives is said to have no effect, whatever its value.
+    // A value that an option of this command gives is reported to have no effect, whatever it is.
     const bool said = idle && resolved.location(input.path).option && !is_used(resolved, input, analysis) &&
                       use_status_in_row(resolved, input, analysis) == UseStatus::used;
     return said ? UseStatus::idle : UseStatus::neutral;
   }
   if (is_used(resolved, input, analysis)) return UseStatus::used;
   const UseStatus status = use_status_in_row(resolved, input, analysis);
-  // What counts for nothing anyway need not be refused.
+  // A value that is not modelled in any case need not be refused.
   if (status == UseStatus::not_modelled) return status;
   return idle ? UseStatus::idle : status;
 }

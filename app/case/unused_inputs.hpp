@@ -1,4 +1,4 @@
-// What a case gives and an analysis does not use: nothing is ignored in silence.
+// Inputs that a case states and an analysis does not use: nothing is ignored in silence.
 #pragma once
 
 #include <map>
@@ -9,43 +9,43 @@
 
 namespace orbearing::app {
 
-/// How a value that a case gives stands towards an analysis.
+/// Use of a value of a case by an analysis.
 enum class UseStatus {
   used,
   neutral,       // the default, or zero where there is none: nothing is lost
-  not_modelled,  // by nature: see Use
+  not_modelled,  // at this fidelity: see Use
   idle,          // one of its conditions does not hold
   unused,        // warned of
   refused
 };
 
-/// As the row of the field says, whatever its value: used, unfelt, refused or unused.
+/// By the row of the field, whatever its value: used, not modelled, refused or unused.
 UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
-/// Whether the analysis uses the value as the case stands: what its row says, and all that it hangs on holds.
+/// Whether the analysis uses the value in the present case: by its row, and by all conditions on other
+/// inputs.
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
-/// Of the value at `path`, which the case has.
+/// Use of the value at `path`, which the case has.
 UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
-/// Throws BadInput with all that `analysis` ought to use and cannot; else warnings of all that it does not
-/// use: values without effect, and what it does not model where an option of this very command gives
-/// it. Of the sweep's axes those are looked at that `sweeps` names: a sweep over what is not used is refused.
+/// Throws BadInput with all inputs that `analysis` should use and cannot; else warnings of all inputs that it
+/// does not use: values without effect, and inputs that it does not model where an option of this command
+/// gives them. Checks the axes of the sweep that `sweeps` names: a sweep over an unused input is refused.
 enum class Axes { none, speed, all };
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis,
                                       Axes sweeps = Axes::none);
 
-/// Of inputs that a study varies, those without effect on the analysis of this case, with a message each. An
-/// input has an effect where a condition of it may come true by another of `varied`; "path[i]" is an element
-/// of a list.
+/// Inputs of a study without effect on the analysis of this case, with a message each. An input has an effect
+/// where one of its conditions can be met by another of `varied`; "path[i]" is an element of a list.
 std::map<std::string, std::string> varied_without_effect(const ResolvedCase& resolved, use::Analysis analysis,
                                                          const std::vector<std::string>& varied);
 
-/// Throws BadInput with those that have no effect at any of the points: a study over them is a mistake.
+/// Throws BadInput with inputs that have no effect at any of the points: a study over them is a mistake.
 void require_effect(const std::vector<ResolvedCase>& points, use::Analysis analysis,
                     const std::vector<std::string>& varied);
 
-/// Of inputs that were just set, those that another input replaces, each as a message.
+/// Inputs of `paths`, just set, that another input replaces, each as a message.
 std::vector<std::string> replaced_inputs(const ResolvedCase& resolved, const std::vector<std::string>& paths);
 
 /// The rung of a drivetrain's run or sweep: "dynamic" is another one for several sets.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSame = 1e-12;  // [m]  lengths that are stated as equal
 
-// Of values of bearings along the pin, or of points along a roller, from one end to the other.
+// Whether values of bearings along the pin, or of points along a roller, are mirrored from one end to the
+// other.
 bool are_mirrored(const std::vector<double>& values, double sign) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::abs(values[i] - sign * values[values.size() - 1 - i]) > kSame) return false;

@@ -11,23 +11,23 @@ namespace orbearing::app {
 /// themselves.
 bool makes_meshes(std::string_view path);
 
-/// Whether a planet whose tilt is computed has one: something makes its two ends unlike.
+/// Whether a planet whose tilt is computed tilts: its two ends differ in some input.
 bool planets_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.
 bool bearings_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether the pin of a planet links the bearings on it, if tilts are computed: two on a pin that both walls
-/// hold bend it alike.
+/// hold bend it equally.
 bool pin_links_rows(const ResolvedCase& in, std::string_view set);
-/// Whether the linear formulas of a duplex pair have a column: a shaft at rest, rows that do not part.
+/// Whether the linear formulas of a duplex pair have a column: a stationary shaft, rows that do not separate.
 bool pair_has_linear_column(const ResolvedCase& in, std::string_view set);
 /// The same, or measured pairs from which they are identified.
 bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set);
 
 /// Whether the carrier of the set rotates; where no set is named, that of one of them.
 bool carrier_rotates(const ResolvedCase& in, std::string_view set);
-/// The same, and the masses that it takes round are pulled outward.
+/// The same, and the masses that rotate with it have centrifugal loads.
 bool carrier_pulls(const ResolvedCase& in, std::string_view set);
-/// Whether a bearing at rest is affected by what its planet is made of: by its mass, or since it bends, tilts
+/// Whether the planet's own properties affect a quasi-static bearing: by its mass, or since it bends, tilts
 /// or is pressed on a seat.
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set);
 /// Whether the carrier of a single set is a body in three dimensions: its bearings are stated, the housing

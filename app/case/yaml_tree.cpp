@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t deepest = 16;  // levels; the fields need four
 
-// Places of bytes, with columns in characters (yaml-cpp counts bytes). Asked for in rising order it reads the
-// text once.
+// Locations of bytes, with columns in characters (yaml-cpp counts bytes). For requests in rising order it
+// reads the text once.
 class LocationFinder {
  public:
   explicit LocationFinder(std::string_view text) : text_(text) {}
@@ -50,7 +50,7 @@ Location location_at(std::string_view text, std::size_t position) {
   throw YamlFault{location, {std::move(found), std::move(required)}};
 }
 
-// The first tab in the indentation of a line: YAML allows none, and its parser does not say so.
+// The first tab in the indentation of a line: YAML allows none, and its parser does not report it.
 std::optional<std::size_t> tab_of_indentation(std::string_view text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t first = std::min(text.find_first_not_of(" \t", begin), text.size());

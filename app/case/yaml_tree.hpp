@@ -51,7 +51,7 @@ Member* find_member(Entry& block, std::string_view key);
 /// A text as YAML writes it in double quotes.
 std::string quoted_scalar(const std::string& text);
 
-/// What stands there, for messages: "'3 mm'", "a block", "a list", "nothing".
+/// Description of an entry for messages: "'3 mm'", "a block", "a list", "nothing".
 std::string describe(const Entry& entry);
 
 }  // namespace orbearing::app

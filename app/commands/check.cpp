@@ -31,7 +31,7 @@ struct Checked {
   bool has_power = false;  // a drivetrain whose members have speeds
 };
 
-// Of what has meshes.
+// Warnings of the analysis of meshes, for models that have meshes.
 std::vector<std::string> mesh_warnings(const ResolvedCase& resolved) {
   const MachineAnalysis* mesh = machine_analysis(resolved.model(), "mesh");
   return mesh == nullptr ? std::vector<std::string>{} : mesh->compute(resolved.without_sweep(), {}).warnings;
@@ -59,7 +59,7 @@ Checked check(const ResolvedCase& resolved) {
   return checked;
 }
 
-// Of cases with a bearing whose lives are computed.
+// Whether lives are computed for the bearing of the case.
 bool has_governing_life(const ResolvedCase& resolved) {
   if (!resolved.has("life.method")) return false;
   return resolved.model() != planetary_drivetrain || resolved.shape().several || has_planet_bearing(resolved);
@@ -82,7 +82,7 @@ int check_command(const Options& options) {
                     uncertain_warnings(resolved), former_key_warnings(resolved), idle_inputs(resolved));
   derived = joined(derived, catalogue_quantities(resolved),
                    or_reason("simulation", [&] { return motion_time_quantities(resolved); }));
-  // What the case states as a check stands among its inputs.
+  // A quantity that the case states as a check is listed among its inputs.
   std::erase_if(derived, [&](const Derived& row) { return resolved.has(row.path); });
   if (options.json) {
     Record record;

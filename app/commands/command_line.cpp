@@ -346,7 +346,7 @@ struct CommandTable {
     CLI::App& sub = *program.add_subcommand(name, purpose);
     sub.add_flag("--json", options.json, "print only the result, as one JSON object");
     sub.add_flag("--quiet", options.quiet, "print errors only");
-    sub.callback([&into = chosen, command] { into = command; });  // the table is gone when this runs
+    sub.callback([&into = chosen, command] { into = command; });  // the table no longer exists when this runs
     return sub;
   }
 };
@@ -476,7 +476,7 @@ void require_utf8(int argc, char** argv) {
   }
 }
 
-// Line by line: whatever of the user's stands in a message cannot move the cursor.
+// Line by line, so that text from the user in a message cannot move the cursor.
 void print_error(std::string_view text) {
   for (bool more = true; more;) {
     const std::size_t end = text.find('\n');
@@ -492,8 +492,9 @@ bool is_whole(std::string_view text, bool natural) {
   return !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// What is wrong with a value of an option. An empty text, as of a shell's variable that is not set, would
-// choose a default; nan is in every range, and a seed of -1 becomes another one.
+// Requirement for a value of an option that does not meet it; empty for a sound one. An empty text, as of a
+// shell's variable that is not set, would select a default; nan is in every range, and a seed of -1 becomes
+// another one.
 std::string required_of(const CLI::Option& option, const std::string& given) {
   const std::string type = option.get_type_name(), text = trimmed(given);
   const bool natural = type.starts_with("UINT"), whole = natural || type.starts_with("INT");
@@ -529,7 +530,7 @@ std::string proposals(const CLI::App& program) {
   return lines;
 }
 
-// The program of all commands, which writes what it reads into `asked`.
+// The program of all commands, which stores the command line in `asked`.
 class Reader {
  public:
   explicit Reader(Asked& asked) {
@@ -558,7 +559,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Not into the streams themselves: they flush, and the reason of a full disk would be gone.
+    // Not into the streams themselves: they flush, and the reason of a full disk would be lost.
     std::ostringstream answer;
     const int code = program.exit(error, answer, answer);
     if (code != 0) {
@@ -572,9 +573,9 @@ int parse_and_run(int argc, char** argv) {
   return asked.command(asked.options);
 }
 
-// What was printed is on its way only now: a full disk shows here and not when it was printed.
+// Flushes the output: a full disk is reported here and not by the print functions.
 void require_printed() {
-  // First of all, since the stream of the standard library flushes it too and tells no reason.
+  // First of all, since the stream of the standard library flushes it too and gives no reason.
   errno = 0;
   const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   const int error = whole ? 0 : errno;

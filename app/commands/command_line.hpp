@@ -15,7 +15,7 @@
 
 namespace orbearing::app {
 
-/// What the user typed after the subcommand. A command reads the options it declares.
+/// Words of the user after the subcommand. A command reads the options it declares.
 struct Options {
   std::string case_file;
   std::vector<std::string> cases;     // validate: none means all that ship
@@ -24,19 +24,19 @@ struct Options {
   std::string output;                 // empty: with --json, nothing is written
   std::string fidelity = "quasi-static";
   bool fidelity_given = false;           // by the user, where there may be no choice
-  std::optional<std::string> speed;      // modes: none means at rest
+  std::optional<std::string> speed;      // modes: none means no rotation
   std::optional<std::string> shard;      // "i/n"
   std::optional<std::string> direction;  // sweep --continue: "up" or "down"
-  std::string other;                     // report --with: folder of the branch to draw beside
+  std::string other;                     // report --with: folder of the branch to draw as well
   std::optional<std::string> budget;     // run, sweep: processor time, "60 s"
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
   bool pdf = false;                      // report: the assessor's page as well
-  bool data_only = false;  // report: what its page is made of is the result, and no page is drawn
+  bool data_only = false;                // report: the result is the data of its page, and no page is drawn
   std::string
-      bearing_points;     // report: in place of that, these points of the bearing, as the page asks for them
-  bool motion = false;    // validate: what assumptions are worth in motion, alone
+      bearing_points;     // report: instead of that, these points of the bearing, as the page requests them
+  bool motion = false;    // validate: only the effects of assumptions in motion
   int samples = 0;        // validate: of uncertain inputs, for the bands of measured rows
   bool gears = false;     // run: without the dynamics of bearings
   std::string fmi = "2";  // fmu: version of the interface
@@ -54,9 +54,9 @@ struct Options {
   bool json = false;
   bool quiet = false;
 
-  /// Of a caller in the same process: the case in place of file and settings, who takes the result and the
-  /// line about points that failed in place of the standard streams, who receives each point of a sweep as it
-  /// ends, and who looks at what the result is made of.
+  /// For a caller in the same process: the case instead of file and settings, functions that take the result
+  /// and the line about failed points instead of the standard streams, one that receives each point of a
+  /// sweep when it is finished, and one that receives the record of the result.
   std::optional<ResolvedCase> given{};
   std::function<void(const nlohmann::ordered_json& object)> take_result{};
   std::function<void(const std::string& line)> take_failures{};
@@ -72,7 +72,7 @@ struct Options {
   std::vector<std::string> by{};               // sensitivities: inputs; none: all
   std::vector<std::string> over{}, results{};  // table: PATH=FROM..TO; columns
   double bound = 0.01;                         // table: error at which a cell is finished
-  int points = 0;                              // table: at most; 0: the default at rest
+  int points = 0;                              // table: at most; 0: the quasi-static default
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.
@@ -100,7 +100,7 @@ int open_command(const Options& options);
 /// resume.
 void require_output(const Options& options);
 
-/// What words behind the program's name ask for.
+/// Command and options of the words behind the program's name.
 struct Asked {
   int (*command)(const Options&) = nullptr;
   Options options;

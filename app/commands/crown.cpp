@@ -37,7 +37,7 @@ CrownStudy computed(const CrownRequest& request, const Options& options) {
   });
 }
 
-// Of the swept values a spectrum takes the speeds.
+// A spectrum uses the speeds of a sweep and no other swept values.
 std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownOptions& options) {
   const bool spectrum = options.spectrum || !options.shares.empty();
   return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);

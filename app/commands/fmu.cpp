@@ -78,7 +78,7 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
   print_warnings(outcome.warnings);
 }
 
-// Its life_used is by the loads alone: what that is beside the life that the case goes by.
+// The output life_used is by the loads alone: the warning compares it with the governing life of the case.
 std::vector<std::string> life_warnings(const ResolvedCase& resolved) try {
   namespace rating = bearing::rating;
   const study::PointResult point = study::evaluate(bearing_sets(resolved));
@@ -89,7 +89,7 @@ std::vector<std::string> life_warnings(const ResolvedCase& resolved) try {
       "life_used: by the life of Lundberg and Palmgren, without oil and profile: {:.5g} h at the case's "
       "point. The governing life there is {} {:.5g} h, so that the bearing is used up {:.3g} times as fast",
       point.life_hours, rating::hours_key(life), governing, point.life_hours / governing)};
-} catch (const std::runtime_error&) {  // a case whose point finds no balance at rest
+} catch (const std::runtime_error&) {  // a case whose point has no quasi-static equilibrium
   return {};
 }
 

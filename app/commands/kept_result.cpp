@@ -29,7 +29,7 @@ struct Shown {
   std::string text;
 };
 
-// With rare and impossible values in what was found, and in what speeds and loads say themselves.
+// Adds warnings of rare and impossible values among the results, speeds and loads.
 Shown shown_of(const ResolvedCase& resolved, AnalysisResult& result) {
   Shown shown{json_of(result.record), result.heading + text_of(result.record)};
   std::vector<Observation> observed = observations(resolved);
@@ -56,7 +56,7 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const AnalysisRe
   return object;
 }
 
-// Of the run of a bearing under a static load, not of others of its analyses.
+// Effects of assumptions: for a bearing under a static load, not for its other analyses.
 std::vector<AssumedEffect> effects_of(const ResolvedCase& resolved, const ResultNames& names) {
   return names.name == std::string_view("static") ? assumed_effects(resolved) : std::vector<AssumedEffect>{};
 }

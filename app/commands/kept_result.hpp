@@ -1,4 +1,4 @@
-// What analyses that give one result and no sweep write and print alike.
+// Common output of analyses that give one result and no sweep.
 #pragma once
 
 #include <functional>
@@ -21,18 +21,18 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
 /// The same of a row of the table of analyses, with its progress; refuses and warns of inputs that it does
 /// not use.
 int run_analysis(const ResolvedCase& resolved, const Options& options, const Analysis& analysis);
-/// What `run --json` prints of it.
+/// JSON of the analysis as `run --json` prints it.
 nlohmann::ordered_json printed_json(const ResolvedCase& resolved, const Analysis& analysis);
 
 /// Bytes of the netCDF file of a result called `what`.
 std::string result_file(const ManifestHeader& header, const char* what, const Record& record,
                         const std::string& status = "ok");
 
-/// Prints a result as JSON, or its text and its warnings, as the options ask.
+/// Prints a result as JSON, or its text and its warnings, by the options.
 void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options);
 
-/// Prints a record as JSON with the case's name, warnings and units, or as text with `more` behind it, as the
-/// options ask.
+/// Prints a record as JSON with the case's name, warnings and units, or as text followed by `more`, by the
+/// options.
 void present_record(const ResolvedCase& resolved, const Record& record,
                     const std::vector<std::string>& warnings, const Options& options,
                     const std::string& more = "");

@@ -25,14 +25,15 @@ double speed_option(const std::string& text) {
                  "; required: an angular speed like '6000 rpm', not negative");
 }
 
-// The case with the speed of that option in place of the one at `path`.
+// The case with the speed of that option instead of the one at `path`.
 ResolvedCase with_speed(const ResolvedCase& resolved, const std::string& path, const std::string& speed) {
   speed_option(speed);
   return named_by_option({{"--set: " + path + ": ", "--speed: "}},
                          [&] { return resolved.with(path, speed); });
 }
 
-// The set at rest, or turning at a speed of its driven member (of its carrier where it has no teeth).
+// The stationary set, or the set rotating at a speed of its driven member (of its carrier where it has no
+// teeth).
 gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options& options) {
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
@@ -40,8 +41,8 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
 }
 
-// Natural frequencies at rest of gears without a bearing follow from neither power nor speed, which a case
-// may then leave out: any stand in their place.
+// Natural frequencies of stationary gears without a bearing depend on neither power nor speed, which a case
+// may then leave out: any values replace them.
 ResolvedCase point_for_modes(const Options& options) try {
   return point_of(options);
 } catch (const BadInput& error) {

@@ -73,9 +73,9 @@ std::size_t points_of(const SweepOutcome& outcome) {
   return outcome.rows.size() + outcome.header.spectrum.points();
 }
 
-// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt
-// and of other bearings than cylindrical ones, of which no stiffness is computed (`orbearing stiffness`
-// refuses such a case).
+// Stiffness of one planet bearing at the operating point; of several sets, by set. None where tilts of
+// planets are computed, and for other bearings than cylindrical ones: their stiffness is not computed
+// (`orbearing stiffness` refuses such a case).
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
   if (!has_cylindrical_rollers(resolved)) return nullptr;
   for (const Input& input : resolved.inputs())
@@ -142,14 +142,14 @@ void put_options(const Options& options, SweepRequest& request) {
 
 namespace {
 
-// Of one operating point at rest; in a sweep or in time they would take too long.
+// Effects of assumptions at one quasi-static operating point; in a sweep or in time they would take too long.
 std::vector<AssumedEffect> effects_at_rest(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   const bool one = resolved.axes().empty() && outcome.rows.size() == 1 && outcome.failed == 0;
   return one && outcome.header.fidelity == "quasi-static" ? assumed_effects(resolved)
                                                           : std::vector<AssumedEffect>{};
 }
 
-// Of a single point; none of a sweep, or where it failed.
+// Skid risk of a single point; none of a sweep, or where the point failed.
 std::optional<SkidRisk> skid_risk_of_run(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   if (!resolved.axes().empty() || outcome.rows.size() != 1 || !outcome.rows.front().ok()) return std::nullopt;
   const LoadSpectrum& spectrum = outcome.header.spectrum;

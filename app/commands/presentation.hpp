@@ -1,4 +1,4 @@
-// What commands have in common around their work: where the case comes from and where the result goes.
+// Steps that commands share before and after their computation: reading the case and writing the result.
 #pragma once
 
 #include <functional>
@@ -34,18 +34,18 @@ struct PlannedSweep {
 
 /// Plans `request_of` the case: with the windows that keep to the budget, where there is one, and with the
 /// estimated time of its points, which is printed on standard error where it is long. Throws BadInput for a
-/// budget that nothing keeps to.
+/// budget that is too small for any windows.
 PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
                         const std::function<SweepRequest(const ResolvedCase&)>& request_of);
 
 /// Folder, threads and reports of a sweep as the options have them, and rows to the caller who takes points.
 void put_options(const Options& options, SweepRequest& request);
 
-/// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made
-/// of.
+/// Object that --json prints for a sweep or for one of its points, finished or not. `form` receives the
+/// record of its columns.
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
 
-/// What a command found before its sweep.
+/// Findings of a command before its sweep.
 struct FoundBefore {
   const Record* record = nullptr;
   std::vector<std::string> warnings{};

@@ -13,7 +13,7 @@ namespace orbearing::app {
 
 namespace {
 
-// Signals from the terminal reach both; the child says what became of its work.
+// Signals from the terminal reach both; the child reports the result of its work.
 class LeftToTheChild {
  public:
   LeftToTheChild() : interrupt_(std::signal(SIGINT, SIG_IGN)), terminate_(std::signal(SIGTERM, SIG_IGN)) {}
@@ -31,8 +31,8 @@ class LeftToTheChild {
 };
 
 // Runs the module that its first argument names as `python3 -m` does, yet without the working folder among
-// the places where Python finds modules: a file json.py that lies there is not the user's wish to run it.
-// (The option -P does the same from Python 3.11 on.)
+// the folders where Python finds modules: a file json.py in it must not be run. (The option -P does the same
+// from Python 3.11 on.)
 constexpr const char* start_isolated =
     "import sys\n"
     "sys.path[:] = [place for place in sys.path if place]\n"

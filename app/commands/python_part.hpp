@@ -21,8 +21,10 @@ struct PythonCommand {
 };
 const std::vector<PythonCommand>& python_commands();
 
-/// Where the first argument names one of these, Python takes this process's place, with the other arguments: signals
-/// to its number reach the work. Throws ComputationFailed where it cannot be started; returns for other commands.
+/// Runs Python in this process if the first argument names one of these, with the other arguments: signals to
+/// the number of the process reach the computation. Throws ComputationFailed where it cannot be started;
+/// returns for other commands.
+/// for other commands.
 void hand_over(int argc, char** argv);
 
 }  // namespace orbearing::app

@@ -59,15 +59,15 @@ void draw_page(const fs::path& folder, const Options& options) {
                                : std::string("the message above says why")));
 }
 
-// Of a crowning study: its result and what its pictures show beyond it.
+// Data of a crowning study: its result and the additional data of its figures.
 nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& folder) {
   const CrownResult stored = read_crown(folder);
   const CrownRequest request = crown_request(resolved, options_from(stored.object.at("options")));
   return {{"crown", stored.object}, {"figures", crown_figures(resolved, request, stored.object)}};
 }
 
-// Of a single bearing in motion: what its run printed, as `name`; what is drawn over time stands in its file
-// of results.
+// Data of a single bearing in motion: the printed result of its run, as `name`; series over time are in its
+// file of results.
 nlohmann::ordered_json published_data(const fs::path& file, const char* name) {
   return {{name, nlohmann::ordered_json::parse(read_file(file))}};  // its checksum holds
 }
@@ -85,7 +85,7 @@ nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& 
   return data;
 }
 
-/// What is read from the folder must be what was written there.
+/// Throws where a file of the folder differs from the one that was written there.
 void require_as_written(const fs::path& folder, const Manifest& manifest) {
   std::vector<std::string> faults{fault_of_case(folder, *manifest.header)};
   for (const auto& [point, entry] : manifest.entries)
@@ -93,7 +93,7 @@ void require_as_written(const fs::path& folder, const Manifest& manifest) {
   require_undamaged(std::move(faults));
 }
 
-/// Of the kinds of results that have a page, one of which there is something.
+/// Throws where the folder has no finished point or no kind of result that has a page.
 void require_results(const fs::path& folder, const ResolvedCase& resolved, const Manifest& manifest) {
   const std::vector<std::string>& names = fidelity_names();
   const bool sweep = std::find(names.begin(), names.end(), manifest.header->fidelity) != names.end();

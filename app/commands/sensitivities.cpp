@@ -20,7 +20,7 @@ namespace orbearing::app {
 
 namespace {
 
-// In the manifest: tables of unlike results or inputs do not go on in one folder.
+// In the manifest: tables of different results or inputs do not continue in one folder.
 std::string name_of_table(const ScalarResult& result, const Options& options) {
   if (result.is_at_rest() && options.result.empty() && options.by.empty()) return "sensitivities";
   return fmt::format("sensitivities of {}, {}, by {}", result.quantity, options.fidelity,

@@ -46,7 +46,7 @@ struct SignalNoise {
   std::uint64_t seed = 1;  // of the first signal; each has its own
 };
 
-// What stands between commas that no inner brackets hold.
+// Texts between commas that are outside inner brackets.
 std::vector<std::string> entries_of(const std::string& list) {
   std::vector<std::string> entries(1);
   int depth = 0;
@@ -91,8 +91,8 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
   return axes;
 }
 
-// All combinations, the last axis fastest. What affects a scratch alone does not vary without one: a sound
-// bearing stands in the grid once. Throws BadInput where the case cannot be changed so.
+// All combinations, the last axis fastest. Inputs that affect only a scratch do not vary without one: a sound
+// bearing is in the grid once. Throws BadInput where the case cannot be changed so.
 std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
                                            const std::vector<SignalAxis>& axes) {
   std::size_t count = 1;
@@ -170,7 +170,7 @@ void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibratio
   for (double& value : vibration.acceleration.reshaped()) value += normal(chance);
 }
 
-// What a diagnosis would be trained with: what is scratched, speed, load, size, frequencies, level.
+// Labels for the training of a diagnosis: scratched part, speed, load, size, frequencies, level.
 void describe_labels(described::Record& record, const ResolvedCase& in, const DefectStudy& study,
                      const SignalNoise& noise) {
   namespace dimension = described::dimension;
@@ -228,7 +228,7 @@ std::filesystem::path signal_file(const ResultFolder& folder, std::size_t number
   return folder.path() / "signals" / fmt::format("{:05}{}", number, ending);
 }
 
-// What varies and the noise decide the signals as much as the case does.
+// The variations and the noise determine the signals as much as the case does.
 std::string grid_text(const Options& options, const std::vector<SignalAxis>& axes) {
   std::string text = "signals";
   if (options.fidelity == "dynamic") text += ", all in motion";

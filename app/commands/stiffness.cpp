@@ -24,7 +24,7 @@ int stiffness_command(const Options& options) {
     result.files = {{"stiffness.csv", stiffness_csv(study)}};
     result.failed = std::any_of(study.points.begin(), study.points.end(),
                                 [](const StiffnessPoint& point) { return !point.stiffness; });
-    // A table for ROSS knows no load: one for each.
+    // A table for ROSS has no load: one for each.
     for (std::size_t series = 0; series < study.series; ++series)
       result.files.emplace_back(study.series == 1 ? "ross.xls" : fmt::format("ross_{}.xls", series + 1),
                                 ross_table(study, series));

@@ -100,7 +100,7 @@ void print_validation(const std::vector<ValidationTable>& tables, const std::vec
   print_result(std::move(object), record, options);
 }
 
-// What the command prints for the case with --json.
+// Output of the command for the case with --json.
 nlohmann::ordered_json command_result(const std::string& command, const std::string& fidelity,
                                       const ResolvedCase& resolved) {
   Request request{.command = command, .given = Case(resolved)};

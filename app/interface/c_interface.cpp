@@ -109,7 +109,7 @@ orbearing_case case_from(const Json& stated) {
   }
   app::CaseSource source = source_from(stated);
   app::ResolvedCase resolved = app::parse_case(source, settings);
-  // What another input replaces would read back as another value.
+  // An input that another one replaces would read back as another value.
   const std::vector<std::string> replaced = app::replaced_inputs(resolved, paths);
   if (stated.value("as_set", false) && !replaced.empty()) throw BadInput(replaced);
   return {Case(std::move(resolved)), std::move(source)};
@@ -200,7 +200,7 @@ Json input_row(const app::ResolvedCase& stated, const app::Input& input) {
           {"reason", has_reason ? reason->second : ""}};
 }
 
-// Of one input of the case.
+// Answer for one input of the case.
 Json answer_of(const app::ResolvedCase& stated, const std::string& of, const app::Input& input,
                const Json& query) {
   if (of == "si") return in_si(input, query.at("text"));

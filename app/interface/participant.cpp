@@ -42,7 +42,7 @@ struct Participant::Content {
     if (!begun) begin();
   }
 
-  // Of the first outputs, so many.
+  // Values of the first `number` outputs.
   std::vector<double> values(std::size_t number) {
     require_begun();
     return participant->values(inputs, number);

@@ -1,11 +1,11 @@
-// Operating points for callers who asked themselves which inputs have an effect.
+// Operating points for callers that have already checked which inputs have an effect.
 #pragma once
 
 #include "orbearing/sweep.hpp"
 
 namespace orbearing {
 
-/// What happens to inputs among `paths` that have no effect on any point.
+/// Treatment of inputs among `paths` that have no effect on any point.
 enum class WithoutEffect { refused, allowed };
 
 /// As evaluate(). A study varies choices as well: an input may have no effect on the points of one call, and

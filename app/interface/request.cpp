@@ -39,7 +39,7 @@ void add_option(const std::string& name, const Json& value, std::vector<std::str
 std::vector<std::string> words_of(const Request& request) {
   std::vector<std::string> words{request.command};
   if (request.given || !request.case_text.empty())
-    words.push_back("case.yaml");  // stands for it
+    words.push_back("case.yaml");  // name of the case in memory
   else if (!request.case_file.empty())
     words.push_back(request.case_file);
   for (const std::string& setting : request.settings) words.push_back("--set=" + setting);

@@ -1,4 +1,4 @@
-// Of the shared library alone, whose program is somebody else's: what it reads stands beside it.
+// Only for the shared library, which other programs load: its resources are beside the library.
 #include <dlfcn.h>
 
 #include <filesystem>

@@ -18,7 +18,7 @@ namespace orbearing {
 
 namespace {
 
-// What is wrong with all points is said once, and not in each row.
+// Mistakes that concern all points are reported once, and not in each row.
 void require_varied(const app::ResolvedCase& point, const std::vector<std::string>& paths,
                     std::size_t numbers) {
   if (paths.empty() || numbers % paths.size() != 0)

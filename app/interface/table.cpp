@@ -55,7 +55,7 @@ std::string reason_of(const app::TabulatedCase& table, std::size_t query, const 
       query, std::expm1(error), bound);
 }
 
-// By the program, in place of what the table has.
+// Computed by the program instead of interpolated in the table.
 void compute(const app::TabulatedCase& table, const Case& stated, const app::TabulatedResult& result,
              const std::vector<double>& values, int jobs, TableAnswers& answers) {
   std::vector<std::size_t> queries;

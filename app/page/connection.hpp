@@ -58,7 +58,7 @@ class Connection final : public httplib::Stream {
     return poll(&waiting, 1, milliseconds) > 0;
   }
 
-  // In short steps, so that a program that ends does not wait for a connection that says nothing.
+  // In short steps, so that a program that ends does not wait for a silent connection.
   bool waits_for(short event, Clock::time_point until) const {
     constexpr int step = 100;  // [ms]
     while (!poll_for(event, step))
@@ -80,7 +80,7 @@ class Connection final : public httplib::Stream {
   std::size_t first_ = 0, last_ = 0;  // of the buffer, what was not taken yet
 };
 
-/// Each connection brings one request: a body that nobody read is no further one.
+/// Each connection brings one request: an unread body is no further one.
 class Server final : public httplib::Server {
  public:
   explicit Server(std::size_t largest_request) : largest_request_(largest_request) {}

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds patience{200};
 constexpr std::chrono::minutes longest_alone{10};  // without a reader
-constexpr std::chrono::seconds grace{5};           // to a computation that was asked to stop
+constexpr std::chrono::seconds grace{5};           // for a computation to end after a stop request
 constexpr std::size_t most_running = 8;
 constexpr std::size_t most_kept = 64;  // of those that have ended
 
@@ -128,7 +128,7 @@ Jobs::~Jobs() {
   end();
 }
 
-// That of the job that is gone on with, else a new one for a command that keeps points.
+// Folder of the job that is continued, else a new one for a command that keeps points.
 fs::path Jobs::folder_for(const Json& request) {
   if (request.contains("continue")) {
     const Json& name = request["continue"];

@@ -1,5 +1,5 @@
-// Computations that last: each in a process and a folder of its own, with events that readers follow, stopped
-// and gone on with.
+// Long computations: each in a process and a folder of its own, with events that readers follow, stopped and
+// continued.
 #pragma once
 
 #include <atomic>
@@ -78,7 +78,7 @@ class Job {
 /// A new one. Throws ComputationFailed.
 std::filesystem::path temporary_folder();
 
-/// All of a page. Results of sweeps stand in folders below a temporary one.
+/// All jobs of a page. Results of sweeps are in folders below a temporary one.
 class Jobs {
  public:
   explicit Jobs(Workers& workers) : workers_(workers) {}
@@ -87,8 +87,8 @@ class Jobs {
   ~Jobs();
 
   /// Begins one and returns its name. "continue" in the request names one that was stopped; `results` is a
-  /// folder of results that its sweep goes on in, else empty. Throws BadInput, and ComputationFailed where
-  /// too many run.
+  /// folder of results in which its sweep is continued, else empty. Throws BadInput, and ComputationFailed
+  /// where too many run.
   std::string start(const Json& request, const std::filesystem::path& results = {});
   /// None where there is none of that name.
   std::shared_ptr<Job> find(const std::string& name);

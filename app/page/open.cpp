@@ -46,7 +46,7 @@ class LeadingFile {
   fs::path folder_;
 };
 
-// What the desktop opens files with; its end is waited for by nobody.
+// Opens the file with the desktop's default program; does not wait for it to end.
 void show_in_browser(const std::string& file) {
   std::string words[] = {"xdg-open", file};
   char* pointers[] = {words[0].data(), words[1].data(), nullptr};

@@ -45,7 +45,7 @@ Opened opened_file(const fs::path& file, const char* kind) {
   return {kind, file.filename().string(), std::move(text), file.filename().string(), std::move(folder)};
 }
 
-// Of results that have begun, where their case is another now.
+// Fault of a folder of results whose case has changed since its sweep began; else empty.
 std::string fault_of_results(const fs::path& folder) {
   const fs::path file = folder / manifest_name;
   const Manifest manifest = parse_manifest(read_file(file), file.string());
@@ -107,7 +107,7 @@ Json printed_result(const Opened& opened, const ResolvedCase& resolved) {
   return fs::exists(file) ? Json::parse(read_file(file)) : Json();
 }
 
-// Those by which `sweep --resume` goes on.
+// Options by which `sweep --resume` continues.
 Json options_of(const ManifestHeader& header) {
   Json options{{"fidelity", header.fidelity}, {"grid_only", !header.refined}};
   if (header.continued) options["continue"] = to_string(*header.continued);
@@ -187,7 +187,7 @@ Json line_of_folder(const fs::path& folder) try {
           {"points", manifest.entries.size()},
           {"of", std::max(manifest.header->own_points(), manifest.entries.size())}};
 } catch (const std::exception&) {
-  return nullptr;  // nothing to go on with
+  return nullptr;  // nothing to continue
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ Json templates_json() {
 
 namespace {
 
-// Of a file that holds the same text already nothing is lost.
+// Throws OtherVersion where saving would overwrite a changed file; a file with the same text is no such case.
 void require_version(const fs::path& file, const std::string& text, const std::string& began_with) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
@@ -318,7 +318,7 @@ Json converted(const Json& request) {
   if (!number.value)
     throw BadInput(fmt::format("request: value: {}; required: a unit of the same dimension as {}",
                                number.fault, quote(unit)));
-  // Of a conversion 15 digits are left.
+  // A conversion is exact to 15 digits.
   const std::string digits = fmt::format("{:.15g}", *number.value);
   return {{"number", std::stod(digits)}, {"text", digits + " " + unit}};
 }

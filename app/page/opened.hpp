@@ -1,4 +1,4 @@
-// What `orbearing open` was given: a case file, a template, a folder of results, or nothing.
+// Argument of `orbearing open`: a case file, a template, a folder of results, or nothing.
 #pragma once
 
 #include <filesystem>
@@ -26,9 +26,9 @@ Opened opened_as(const std::string& what);
 /// The same with the text that its file has now; where it cannot be read, with the former text and a fault.
 Opened read_again(const Opened& opened);
 
-/// What the page is given of it, with the "checksum" of the text of a file; of a folder of results, finished
-/// or still computed, with "finished", "points" and, where they are whole, "result" as --json prints it; else
-/// "options" that go on with it. Reads the results anew; "error" says why there are none.
+/// Object for the page, with the "checksum" of the text of a file; of a folder of results, finished or still
+/// computed, with "finished", "points" and, where they are complete, "result" as --json prints it; else
+/// "options" that continue it. Reads the results anew; "error" states why there are none.
 Json opened_json(const Opened& opened);
 
 /// Folders of results in the folder that was opened (else in the one where the program was started), newest
@@ -55,7 +55,7 @@ void save(const Opened& opened, const std::string& file, const std::string& text
 /// The lives in what `run --json` prints, as a table of HTML in whole hours; why there are none otherwise.
 std::string lives_table(const Opened& opened, const Json& result);
 
-/// The same in a sentence: `reason` is text of anybody's.
+/// The same in a sentence: `reason` is text of any source.
 std::string no_lives(const std::string& reason);
 
 /// A quantity in another unit: {"value": "3 mm", "unit": "um"} -> {"number": 3000, "text": "3000 um"}.

@@ -153,7 +153,7 @@ void answer_file(Response& response, const std::vector<fs::path>& folders, const
   refuse_with(response, 404, "there is no such file");
 }
 
-// A computation that counts among those at once.
+// A computation among those at once.
 class Slot {
  public:
   explicit Slot(std::atomic<int>& taken) : taken_(taken), free_(++taken <= most_at_once) {}
@@ -167,7 +167,7 @@ class Slot {
   bool free_;
 };
 
-// Which pages are there, by the names that they give themselves; other requests count as one page without a
+// The pages that are open, by the names that they give themselves; other requests are one page without a
 // name.
 class Presence {
  public:
@@ -338,7 +338,7 @@ class PageServer {
     return httplib::Server::HandlerResponse::Unhandled;
   }
 
-  // Below the path of the page, where its cookie counts, as without it.
+  // Below the path of the page, where its cookie is valid, as without it.
   std::string at(const char* path) const { return "(?:" + home_ + ")?" + path; }
 
   void add_routes() {
@@ -394,7 +394,7 @@ class PageServer {
     });
   }
 
-  // What the program has opened, as its file is now.
+  // The opened file, with its present text.
   Opened opened_now() {
     const std::scoped_lock lock(reading_file_);
     return opened_ = read_again(opened_);
@@ -442,7 +442,7 @@ class PageServer {
     return lives_;
   }
 
-  // Of models that have some: a signal or a film would take its time for none.
+  // Table of lives of models that have some: a signal or a film would be computed in vain.
   std::string computed_lives(const Opened& opened) try {
     if (opened.text.empty()) return {};
     const std::string model = Case::parse(opened.text).text("model");
@@ -484,7 +484,7 @@ class PageServer {
     }
   }
 
-  // That whose sweep is gone on with; empty: none.
+  // Folder whose sweep is continued; empty: none.
   fs::path folder_of_results(const Json& body) const {
     if (!body.contains("results")) return {};
     const Json& name = body["results"];
@@ -502,7 +502,7 @@ class PageServer {
     answer_json(response, Json::object());
   }
 
-  // A reader that was cut off goes on behind the last event it has.
+  // A reader that was cut off continues behind the last event it has.
   static std::size_t last_event(const Asked& asked) {
     const std::string last = asked.get_header_value("Last-Event-ID");
     const bool number = !last.empty() && last.size() < 10 &&
@@ -550,8 +550,8 @@ class PageServer {
     return true;
   }
 
-  // Of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it is
-  // text: the page shows it in a frame that runs no script.
+  // Report of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it
+  // is text: the page shows it in a frame that runs no script.
   void answer_report(const Asked& asked, const Json& body, Response& response) {
     const bool pdf = asked.get_param_value("form") == "pdf";
     const char* kind = pdf ? "application/pdf" : "text/plain; charset=utf-8";
@@ -614,7 +614,7 @@ class PageServer {
     }
   }
 
-  // Without a version that is stated, the one that the program read last counts.
+  // Without a stated version, the one that the program read last is used.
   void put_file(const std::string& file, const std::string& text,
                 const std::optional<std::string>& began_with) {
     const std::scoped_lock lock(reading_file_);

@@ -25,8 +25,8 @@ struct PageSettings {
 /// A page of HTML that leads on to an address.
 std::string leading_to(const std::string& address);
 
-/// Serves until it is interrupted or the last page has gone. Returns folders of results that are kept. Throws
-/// ComputationFailed where the port is taken.
+/// Serves until it is interrupted or the last page was closed. Returns folders of results that are kept.
+/// Throws ComputationFailed where the port is taken.
 std::vector<std::filesystem::path> serve_page(const PageSettings& settings);
 
 }  // namespace orbearing::app::page

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What this process is asked by and what it answers into.
+// Connection to the server: requests to this process and its answers.
 class Server {
  public:
   // Standard input is given up, so that no process that a command starts holds it.
@@ -64,7 +64,7 @@ class Server {
   }
 
  private:
-  // A server that is gone wants no result.
+  // The result is not needed when the server has ended.
   static void end_with_server(int socket) {
     pollfd waiting{socket, POLLRDHUP, 0};
     while (poll(&waiting, 1, -1) < 0 && errno == EINTR) {
@@ -93,7 +93,7 @@ Request request_of(const Json& asked, Server& server, Pace& pace) {
     server.tell(
         "progress",
         {{"done", done}, {"all", all}, {"doing", doing}, {"seconds_left", left ? Json(*left) : Json()}});
-    return true;  // a wish to stop ends the computation itself
+    return true;  // a stop request ends the computation itself
   };
   if (!folder.empty())
     request.point = [&](const std::string& row) { server.tell("point", Json::parse(row)); };

@@ -1,5 +1,5 @@
-// Requests of the page, each answered by a process of its own: what fails, does not end or is stopped there
-// ends there, and the server goes on.
+// Requests of the page, each answered by a process of its own: a failure, an endless computation or a stop
+// ends only that process, and the server continues.
 #pragma once
 
 #include <sys/types.h>
@@ -17,11 +17,11 @@ namespace orbearing::app::page {
 
 using Json = nlohmann::ordered_json;
 
-/// What a page may send: {"command", "case_text", "settings", "options"} with the commands and the options
-/// that touch no file. `more` are further keys that are allowed. Throws BadInput with every mistake.
+/// Checks a request of a page: {"command", "case_text", "settings", "options"} with the commands and the
+/// options that touch no file. `more` are further keys that are allowed. Throws BadInput with every mistake.
 void require_sound_request(const Json& request, const std::vector<std::string>& more = {});
 
-/// What a process sends: "progress", "motion", "point", and last of all "end".
+/// Message of a worker process: "progress", "motion", "point", and last of all "end".
 struct Message {
   std::string event;
   Json data;            // of "end": code, errors, stopped
@@ -59,7 +59,7 @@ class Workers {
   explicit Workers(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   std::unique_ptr<Worker> take();
-  /// Of a process that has answered.
+  /// Takes back a process that has answered.
   void give_back(std::unique_ptr<Worker> worker);
   std::unique_ptr<Worker> fresh() const { return std::make_unique<Worker>(folder_); }
 

@@ -141,7 +141,7 @@ void require_writable(const std::filesystem::path& folder) {
 void sync_folder(const std::filesystem::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number < 0) fail_to_write(folder, errno);
-  // Some network file systems cannot do this for folders and say so by EINVAL.
+  // Some network file systems cannot do this for folders and report EINVAL.
   if (::fsync(opened.number) != 0 && errno != EINVAL) fail_to_write(folder, errno);
 }
 
@@ -194,7 +194,7 @@ void AppendOnlyFile::truncate(std::size_t length) {
 }
 
 void AppendOnlyFile::blank(std::size_t begin, std::size_t length) {
-  // A descriptor that appends writes at the end, wherever it is told to.
+  // A descriptor that appends writes at the end, whatever position is set.
   const Descriptor opened(::open(file_.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
   if (opened.number < 0 || ::lseek(opened.number, static_cast<off_t>(begin), SEEK_SET) < 0)
     fail_to_write(file_, errno);

@@ -15,8 +15,8 @@ namespace orbearing::app {
 /// Ending of files being written; a kill may leave them behind.
 inline constexpr const char* aside_ending = ".tmp";
 
-/// A file cannot be written. `cause` says which and why, `remedy` what to do before the command is given
-/// again.
+/// A file cannot be written. `cause` is the file and the reason, `remedy` the action required before the
+/// command is given again.
 struct WriteFailed : ComputationFailed {
   WriteFailed(const std::string& cause_text, const std::string& remedy_text)
       : ComputationFailed(cause_text + "; " + remedy_text + ", then give the command again"),
@@ -25,11 +25,10 @@ struct WriteFailed : ComputationFailed {
   std::string cause, remedy;
 };
 
-/// What mends a failure of the system with this `errno`: "make room" of a full disk.
+/// Remedy for a system failure with this `errno`: "make room" for a full disk.
 std::string remedy_of(int error);
 
-/// Throws BadInput where `path` is a symbolic link: what stands in a folder of results is no link to
-/// elsewhere.
+/// Throws BadInput where `path` is a symbolic link: files in a folder of results are never links.
 void require_no_link(const std::filesystem::path& path);
 
 struct FileContent {
@@ -67,8 +66,8 @@ struct Descriptor {
   int release() { return std::exchange(number, -1); }
 };
 
-/// Keeps others that ask for the same folder out for as long as it lives, and leaves no file behind. Throws
-/// BadInput where another holds it.
+/// Locks the folder as long as the object exists, and leaves no file behind. Throws BadInput where another
+/// process holds the lock.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

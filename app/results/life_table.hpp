@@ -13,7 +13,7 @@ namespace orbearing::app {
 struct BearingLives {
   bearing::rating::RatingLives standard;
   double lundberg_palmgren = bearing::rating::kNotRated;  // [rev]
-  double speed = 0.0;  // [rad/s]  of the race whose revolutions count against the load; 0: not known
+  double speed = 0.0;                            // [rad/s]  of the race relative to the load; 0: not known
   double pressure = bearing::rating::kNotRated;  // [Pa]  the largest, after Hertz
 };
 
@@ -21,10 +21,10 @@ struct BearingLives {
 /// contact_pressure_max_MPa, kappa, e_C, a_ISO, a_ISO_r.
 void describe(described::Record& record, const BearingLives& lives);
 
-/// What the words of a table depend on.
+/// Properties of the bearing and of the case that the words of a table depend on.
 struct LifeWords {
   bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
-  double reduction_factor = 0.0;  // [-]  of the capacities of Lundberg and Palmgren; 0: not said
+  double reduction_factor = 0.0;  // [-]  of the capacities of Lundberg and Palmgren; 0: not shown
   bearing::rating::Life governing = bearing::rating::Life::lundberg_palmgren;
 };
 
@@ -39,7 +39,7 @@ struct LifeTable {
   LifeWords words;
 };
 void describe(described::Record& record, const LifeTable& table);
-/// For terminals, where it stands first.
+/// Text for terminals, whose output begins with it.
 std::string lives_text(const LifeTable& table);
 
 }  // namespace orbearing::app

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A line that this version did not write; parse_manifest says which.
+// A line that this version did not write; parse_manifest reports which.
 struct Damaged : std::exception {};
 
 constexpr int manifest_format = 3;

@@ -30,7 +30,7 @@ enum class Direction { up, down };
 Direction parse_direction(const std::string& text);  // "up" or "down"
 std::string to_string(Direction direction);
 
-/// What results must share to be continued or merged.
+/// Properties that results must share to be continued or merged.
 struct ManifestHeader {
   std::string case_name;
   std::string case_hash;  // of the resolved case
@@ -64,7 +64,7 @@ TableHead head_of(const ManifestHeader& header);
 std::string point_file_name(std::size_t point);
 
 struct ManifestEntry {
-  std::string file;      // point_file_name of the point; of a table at rest empty: it has none
+  std::string file;      // point_file_name of the point; empty for a quasi-static table, which has none
   std::string checksum;  // of the file's bytes
   ResultRow row;
   std::map<std::string, std::string> others{};  // further files of the result, by name: check sums
@@ -79,9 +79,9 @@ struct DamagedLine {
 
 struct Manifest {
   std::optional<ManifestHeader> header;          // none where not even the first line is complete
-  std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later counts
+  std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later is used
   std::size_t sound_bytes = 0;                   // length without a last line that is torn or damaged
-  std::vector<DamagedLine> damaged;              // their points count as missing
+  std::vector<DamagedLine> damaged;              // their points are missing
 };
 
 /// The text of an object as a line whose last member is the check sum of the rest; whether a line, its end
@@ -103,7 +103,7 @@ Manifest parse_manifest(std::string_view text, const std::string& location);
 std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header,
                                            const std::map<std::size_t, ManifestEntry>& entries);
 
-/// What differs between two headers, one line each, in the words of a message; the shard apart.
+/// Differences between two headers, one line each, in the words of a message; the shard apart.
 std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required);
 
 }  // namespace orbearing::app

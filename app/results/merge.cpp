@@ -72,7 +72,7 @@ void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::
   }
 }
 
-/// Every shard once; of alike shards only.
+/// Every shard once; only of equal shards.
 void check_complete(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
   std::vector<const ShardResults*> found(shards.front().shard.count, nullptr);
   for (const ShardResults& shard : shards) {

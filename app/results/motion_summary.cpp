@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-// What the columns of each set begin with.
+// Prefixes of the columns of each set.
 std::vector<std::string> prefixes_of(const std::vector<std::string>& sets) {
   std::vector<std::string> prefixes;
   for (const std::string& set : sets) prefixes.push_back("sets." + set + ".");

@@ -1,5 +1,5 @@
-// What a single point says beyond its lives: skid risk by the rule of minimum load and, in motion, slip and
-// the power lost by cause.
+// Further results of a single point besides its lives: skid risk by the rule of minimum load and, in motion,
+// slip and the power loss by cause.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct SkidRisk {
   bool present() const { return load_ratio < minimum_load; }
 };
 
-/// Of the row's bearing, of several sets of the least loaded one; none where a load is not known.
+/// Skid risk of the row's bearing, of several sets of the least loaded one; none where a load is not known.
 std::optional<SkidRisk> skid_risk_of(const TableHead& head, const std::vector<std::string>& sets,
                                      const ResultRow& row, double minimum_load = kMinimumLoad);
 

@@ -13,7 +13,7 @@
 
 namespace orbearing::app {
 
-/// What each file of results says of itself: conventions, title ("case, what"), program, case, status.
+/// Attributes of each file of results: conventions, title ("case, what"), program, case, status.
 std::vector<std::pair<std::string, std::string>> result_attributes(const ManifestHeader& header,
                                                                    const std::string& what,
                                                                    const std::string& status);
@@ -23,11 +23,11 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
 PointContent point_content(const ManifestHeader& header, std::size_t point,
                            const std::vector<double>& axis_values, const study::PointResult& result);
 
-/// Appends where the point stands in its sweep: added around the peak or not, and its nearest resonance where
-/// one is known.
+/// Appends the position of the point in its sweep: added around the peak or not, and its nearest resonance
+/// where one is known.
 void add_location_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content);
 
-/// The bytes of the file. One thread at a time: the netCDF library knows no more. Throws ComputationFailed.
+/// The bytes of the file. One thread at a time, as the netCDF library requires. Throws ComputationFailed.
 std::string netcdf_bytes(const PointContent& content);
 
 /// State in which the motion of a point's file ended; empty where the file holds none or cannot be read. One

@@ -149,7 +149,7 @@ void Progress::show_motion(const system::MotionProgress& motion) {
   print(motion_text(motion, left));
 }
 
-// Of a single point nothing is said but its motion.
+// For a single point the text is the progress of its motion.
 void Progress::print(const std::string& motion) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   std::string text = simulated_ > 0.0 ? "" : doing_;

@@ -13,16 +13,16 @@
 
 namespace orbearing::app {
 
-/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points;
-/// `share` [-] of the work of all points but the kept ones, where they are unlike; below 0: all alike.
+/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] is the time for the `done` less `kept`
+/// points; `share` [-] of the work of all points but the kept ones, where they differ; below 0: all equal.
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds,
                           double share = -1.0);
 
-/// A caller in the same process who sees the progress in place of standard error; from any thread, one call
-/// at a time.
+/// Function of a caller in the same process that receives the progress instead of standard error; from any
+/// thread, one call at a time.
 using ProgressObserver = std::function<void(std::size_t done, std::size_t all, const std::string& doing)>;
 
-/// While it lives, what this thread begins is reported to the observer, if there is one.
+/// While it exists, progress that this thread begins is reported to the observer, if there is one.
 class ObservedProgress {
  public:
   explicit ObservedProgress(ProgressObserver observer);
@@ -47,7 +47,7 @@ class Pace {
 };
 
 /// "run 2 of at most 8: 0.0231 s of 0.18 s in motion, 13 %, 0:04 to go". A motion that is not yet steady may
-/// go on for longer than expected.
+/// last longer than expected.
 std::string motion_text(const system::MotionProgress& now, std::optional<double> seconds_left);
 
 /// The same for callers, with cage and rollers (Request::motion).
@@ -67,7 +67,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// `work` [-]: share of the work that is done, where points are unlike; below 0: all alike.
+  /// `work` [-]: share of the work that is done, where points differ; below 0: all equal.
   void show(std::size_t done, double work = -1.0);
 
  private:
@@ -90,11 +90,11 @@ class Progress {
   std::optional<system::ObservedMotions> motions_;
 };
 
-// SIGINT and SIGTERM ask computations to stop.
+// SIGINT and SIGTERM request the end of computations.
 
-/// While any lives the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one
-/// ends the program at once. The first of several begins without a wish, the last takes it back and gives the
-/// signals back. Made by whoever calls: the libraries and the commands do not touch signals.
+/// While any exists, the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one
+/// ends the program at once. The first object begins without a request, the last one clears the request and
+/// restores the handlers. Made by the caller: the libraries and the commands do not handle signals.
 class Interruption {
  public:
   Interruption();

@@ -27,7 +27,7 @@ std::string udunits_of(const described::Dimension& dimension) {
   return units.substr(0, units.size() - 1) + '-' + last;
 }
 
-/// Records that are alike, one for each element of `along`: a missing one is null.
+/// Records of the same form, one for each element of `along`: a missing one is null.
 struct Bundle {
   std::vector<const Record*> records;
   std::vector<NamedDimension> along;
@@ -96,7 +96,7 @@ class Arrays {
     return texts;
   }
 
-  // Rows of unlike numbers are filled up with nothing.
+  // Rows with different numbers of values are filled up with missing ones.
   void add_table(const std::string& prefix, const described::Table& table, const Same& same,
                  const Bundle& bundle) {
     std::size_t most = 0;

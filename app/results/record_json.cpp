@@ -19,7 +19,7 @@ Json number_json(const described::Entry& entry, described::NumberKind kind, doub
   return kind == described::NumberKind::whole ? Json(std::llround(value)) : Json(value);
 }
 
-// Of the dimensions from `depth` on; `next` is the first number not yet taken.
+// Values of the dimensions from `depth` on, nested; `next` is the index of the next number.
 Json nested(const described::Entry& entry, const described::Numbers& numbers, std::size_t depth,
             std::size_t& next) {
   if (depth == numbers.shape.size()) return number_json(entry, numbers.kind, numbers.values[next++]);

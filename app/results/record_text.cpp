@@ -15,11 +15,11 @@ namespace {
 using described::Numbers;
 
 constexpr std::size_t kNumbersInLine = 12;
-constexpr std::size_t kMatrix = 8;        // rows and columns at most, that stand in lines of their own
+constexpr std::size_t kMatrix = 8;        // rows and columns at most, that have lines of their own
 constexpr std::size_t kAlignedText = 24;  // letters at most of a text that others are aligned with
 constexpr std::size_t kWidest = 160;      // letters of a line
 
-/// A name and what stands for its value: numbers of an array with labels have a name each.
+/// A name and its value as text or number: numbers of an array with labels have a name each.
 struct Cell {
   std::string name{};
   std::string unit{};
@@ -79,7 +79,7 @@ void add_numbers(const described::Entry& entry, const Numbers& numbers, const st
   }
 }
 
-// Of all but tables, those of a structure named after it.
+// Cells of all entries but tables and matrices; those of a structure have its name as a prefix.
 void add_cells(const Record& record, const std::string& prefix, std::vector<Cell>& cells) {
   for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone || entry.detail) continue;
@@ -179,7 +179,7 @@ std::string title_of(const std::string& name, const described::Entry& entry) {
   return entry.meaning.empty() ? name : name + ": " + entry.meaning;
 }
 
-// Of an entry that is a matrix, named after `prefix`; of any other one, nothing.
+// Text of an entry that is a matrix, named after `prefix`; empty for any other one.
 std::string matrix_text(const std::string& prefix, const described::Entry& entry) {
   const auto* numbers = std::get_if<Numbers>(&entry.content);
   if (numbers == nullptr || !is_matrix(*numbers)) return "";
@@ -201,7 +201,7 @@ std::string matrix_text(const std::string& prefix, const described::Entry& entry
   return "\n" + title_of(prefix + entry.name, entry) + "\n" + lines_text(lines_of(columns));
 }
 
-// Of all rows, named by their place in the table.
+// Matrices of all rows, named by the number of their row in the table.
 std::string matrices_text(const std::string& name, const described::Table& table) {
   std::string text;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
@@ -246,11 +246,11 @@ template <class Items, class Field>
 std::string csv_line(const Items& items, const Field& field) {
   std::string line;
   for (const auto& item : items) line += field(item) + ",";
-  line.back() = '\n';  // in place of the last comma
+  line.back() = '\n';  // instead of the last comma
   return line;
 }
 
-// Place in `numbers` of the element of `whole` at `place`.
+// Index in `numbers` of the element of `whole` at `location`.
 std::size_t location_in(const Numbers& numbers, const Numbers& whole, std::size_t location) {
   std::vector<std::size_t> at(whole.shape.size());
   for (std::size_t i = at.size(); i-- > 0; location /= whole.shape[i]) at[i] = location % whole.shape[i];

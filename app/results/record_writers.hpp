@@ -23,7 +23,7 @@ struct Overloaded : Callables... {
 template <class... Callables>
 Overloaded(Callables...) -> Overloaded<Callables...>;
 
-// What a file of results holds: named dimensions and arrays, units on every variable.
+// Content of a file of results: named dimensions and arrays, units on every variable.
 
 struct NamedDimension {
   std::string name;
@@ -52,7 +52,7 @@ struct PointContent {
 
 using described::Record;
 
-/// Of numbers that are held in the unit in which they are shown.
+/// Dimensions of numbers that are stored in the unit in which they are shown.
 inline constexpr described::Dimension in_rpm{"angular speed", "rpm", "rpm", ""};
 inline constexpr described::Dimension in_million_revolutions{"revolutions", "Mrev", "Mrev", ""};
 

@@ -24,8 +24,7 @@ constexpr const char* resolved_name = "case.resolved.yaml";
 constexpr const char* table_name = "sweep.csv";
 constexpr const char* spectrum_name = "spectrum.csv";
 
-/// Names in `folder`; none where it is missing. Throws BadInput where it is no folder or cannot be looked
-/// into.
+/// Names in `folder`; none where it is missing. Throws BadInput where it is no folder or cannot be read.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
@@ -89,7 +88,7 @@ void require_usable(const fs::path& folder, const ManifestHeader& header, OpenMo
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  // A trailing separator makes the call report no folder made; only the state afterwards counts.
+  // A trailing separator makes the call report no folder made; only the state afterwards matters.
   if (fs::is_directory(folder)) return;
   throw BadInput(
       fmt::format("{}: cannot be made: {}; a writable path is required", folder.string(), error.message()));
@@ -146,7 +145,7 @@ ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const 
 
 void ResultFolder::begin(const ManifestHeader& header, const std::string& resolved_case) {
   Manifest manifest = parse_manifest(manifest_.content(), (folder_ / manifest_name).string());
-  // Another sweep may have come between the look and the lock.
+  // Another sweep may have begun between the first check and the lock.
   if (manifest.header) require_same(folder_, *manifest.header, header);
   for (const DamagedLine& line : manifest.damaged) {
     damaged_.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote",

@@ -18,12 +18,11 @@ struct FinishedPoint {
   std::size_t index = 0;
   std::string content;  // bytes of its netCDF file; empty: it has none
   ResultRow row;
-  std::map<std::string, std::string>
-      others{};  // further files, which stand in the folder: check sums by name
+  std::map<std::string, std::string> others{};  // further files in the folder: check sums by name
 };
 
-/// What is wrong with the files of a finished point, "FILE: is missing", "FILE: is empty", "FILE: differs
-/// from what its sweep wrote"; empty for sound ones.
+/// Fault of the files of a finished point, "FILE: is missing", "FILE: is empty", "FILE: differs from what its
+/// sweep wrote"; empty for sound ones.
 std::string fault_of_point(const std::filesystem::path& folder, const ManifestEntry& entry);
 
 /// An open result folder, locked against a second writer for as long as the object lives.
@@ -40,7 +39,7 @@ class ResultFolder {
   /// No folder: rows are kept in memory, and nothing is written.
   explicit ResultFolder(const ManifestHeader& header) : header_(header), head_(head_of(header)) {}
 
-  /// Points that stand whole in the folder, by number.
+  /// Finished points whose files are complete in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
 
   /// Files of finished points and lines of the manifest that were found missing or damaged, one line each;
@@ -55,7 +54,7 @@ class ResultFolder {
   /// a spectrum whose points are all there.
   void write_table() const;
 
-  /// Takes back all that stands in the folder. For a fresh one only; nothing may be kept afterwards.
+  /// Discards all files of the folder. For a fresh one only; nothing may be kept afterwards.
   void discard();
 
   const TableHead& head() const { return head_; }

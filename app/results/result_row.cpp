@@ -175,7 +175,7 @@ const ResultRow* longest_lived(const TableHead& head, std::span<const ResultRow>
 
 namespace {
 
-/// Where a row keeps the text of column `i`; null for a column of another kind.
+/// Member of a row that holds the text of column `i`; null for a column of another kind.
 std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
   if (i == head.status_location) return &ResultRow::status;
   if (i == head.set_place) return &ResultRow::limiting_set;

@@ -14,8 +14,8 @@
 
 namespace orbearing::app {
 
-// What the status of a point says: "ok"; "implausible: ..." of one whose values are there and cannot be those
-// of a machine; else why it failed.
+// Status of a point: "ok"; "implausible: ..." for values that no machine can have; else the cause of the
+// failure.
 
 inline constexpr std::string_view kImplausible = "implausible: ";
 
@@ -32,26 +32,26 @@ inline constexpr std::string_view input_speed_column = "input_speed_rpm";
 /// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";
 inline constexpr std::string_view limiting_set_column = "limiting_set";
-/// The column that says which points were added to the grid around the peak: true or false.
+/// The column that states which points were added to the grid around the peak: true or false.
 inline constexpr std::string_view refined_column = "refined";
 
-/// A swept case key other than input.speed: its values stand in the rows in the unit of the case file.
+/// A swept case key other than input.speed: its values in the rows have the unit of the case file.
 struct SweptAxis {
   std::string column;  // with its unit: bearing.radial_clearance_um
   std::string units;   // as udunits reads it, "1" for a number
   std::string meaning;
 };
 
-/// What a row's numbers are called, in order; `status` stands at `status_place` among them.
+/// Names of a row's values, in order; `status` is at `status_location` among them.
 struct TableHead {
   std::vector<std::string> names;  // all columns, status included
   std::size_t status_location = 0;
-  std::size_t first_axis = 0;                     // swept axes stand from here
+  std::size_t first_axis = 0;                     // index of the first swept axis
   std::size_t axes = 0;                           // as many
   std::optional<std::size_t> set_place;           // of the limiting set's name; none with one set
-  std::optional<std::size_t> refined_location{};  // of the column that says which points were added
-  std::optional<std::size_t> first_resonance{};   // columns of the nearest resonance stand from here, if any
-  std::string life{"life_h"};                     // column of the life that results go by, by life.method
+  std::optional<std::size_t> refined_location{};  // of the column that states which points were added
+  std::optional<std::size_t> first_resonance{};   // first column of the nearest resonance, if any
+  std::string life{"life_h"};                     // column of the governing life, by life.method
   bool operator==(const TableHead&) const = default;
 };
 
@@ -60,7 +60,8 @@ struct TableHead {
 TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets = {},
                      bool resonances = false);
 
-/// Where a harmonic of the mesh frequency meets a natural frequency of the gear set that it can excite.
+/// Speed at which a harmonic of the mesh frequency meets a natural frequency of the gear set that it can
+/// excite.
 struct Resonance {
   std::string kind;        // rotational, translational or planet
   std::string mode;        // "T2": the second of the translational ones, as the report names it
@@ -80,7 +81,7 @@ struct ResultRow {
   bool refined = false;          // added to the grid around the peak
   std::string resonance_kind{};  // of the nearest resonance; empty where none is known
   std::string resonance_mode{};
-  std::vector<study::PlanetResult> planets{};  // one by one, where they carry unlike loads
+  std::vector<study::PlanetResult> planets{};  // one by one, where they carry unequal loads
   bool ok() const { return is_computed(status); }
 };
 
@@ -120,7 +121,8 @@ std::string csv_line(const TableHead& head, const ResultRow& row);
 /// The row as part of a record; a missing value is absent.
 void describe_row(described::Record& record, const TableHead& head, const ResultRow& row);
 
-/// Object with a key per column; a missing value is null. `planets` lists those that carry unlike loads.
+/// Object with a key for each column; a missing value is null. `planets` lists those that carry unequal
+/// loads.
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row);
 
 /// The row that `row_json` wrote. Throws nlohmann::json::exception where a key is missing or of another type.

@@ -30,7 +30,7 @@ struct LifeColumn {
   std::string name;
   std::string beside;
   bool in_revolutions = false;
-  std::string alike{};  // column of bins in which all bearings carry alike, where those of other bins do not
+  std::string alike{};  // column of bins with equal loads of all bearings, where other bins differ
 };
 
 /// Lives of one bearing in hours: of rows, of sets and, with "system_" before them, of all bearings together.
@@ -81,7 +81,7 @@ Eigen::ArrayXd lives_in_bins(const TableHead& head, const std::vector<SpectrumBi
   return lives;
 }
 
-/// Of time, or of revolutions: speeds of all members keep their ratio to that of the driving one.
+/// Shares of time, or of revolutions: speeds of all members keep their ratio to that of the driving one.
 Eigen::ArrayXd shares_of(const std::vector<SpectrumBin>& bins, bool of_revolutions) {
   Eigen::ArrayXd shares(static_cast<Eigen::Index>(bins.size()));
   for (std::size_t i = 0; i < bins.size(); ++i)
@@ -89,7 +89,7 @@ Eigen::ArrayXd shares_of(const std::vector<SpectrumBin>& bins, bool of_revolutio
   return of_revolutions ? Eigen::ArrayXd(shares / shares.sum()) : shares;
 }
 
-/// What takes no time uses up nothing, also where its life is not known.
+/// A bin without time causes no damage, also where its life is not known.
 Eigen::ArrayXd lives_that_count(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
   return (shares > 0.0).select(lives, infinite_life);
 }
@@ -147,7 +147,7 @@ void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResu
   }
 }
 
-// That of the case, or a swept one.
+// Minimum load P/C of the case, or a swept one.
 double minimum_load_of(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
   for (const SpectrumBin& bin : result.bins)
     if (const double swept = bin.row ? value_of(head, *bin.row, kMinimumLoadPath) : not_given;
@@ -156,7 +156,7 @@ double minimum_load_of(const ManifestHeader& header, const TableHead& head, cons
   return header.spectrum.minimum_load;
 }
 
-// Of the bearing that a row shows; of several sets, of any. At rest nothing skids.
+// Skid risk of the bearing of a row; of several sets, of any. Without rotation there is none.
 std::optional<bool> skid_risk_of(const ManifestHeader& header, const TableHead& head, double minimum_load,
                                  const std::optional<ResultRow>& row) {
   if (!row) return false;
@@ -297,7 +297,7 @@ std::string shortest_text(double hours) {
   return std::isfinite(hours) ? fmt::format(", shortest {} h", hours_text(hours)) : "";
 }
 
-// Of several sets, of the one with the worst bearing; then those of each set by the life that results go by.
+// Lives of the worst bearing, in its set; of several sets then those of each set by the governing life.
 std::string lives_under_spectrum(const ManifestHeader& header, const SpectrumResult& result) {
   const bool unlike = std::isfinite(life_of(result, "shortest_life_h"));
   const auto shortest = [&](const std::string& name) {

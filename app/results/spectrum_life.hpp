@@ -4,7 +4,7 @@
 //   in the damage
 //
 // for each of the lives of one bearing, of one set and of the whole drivetrain. For lives in revolutions s_i
-// is the share of the revolutions. Beside damage stands the time in skid risk: that of bins whose equivalent
+// is the share of the revolutions. Results include the time in skid risk too: that of bins whose equivalent
 // load P is below the minimum load, P/C < LoadSpectrum::minimum_load, where rolling elements may skid and
 // smear.
 #pragma once
@@ -23,7 +23,7 @@ namespace orbearing::app {
 /// One bin with what it gave.
 struct SpectrumBin {
   LoadBin bin;
-  std::optional<ResultRow> row;   // none: at rest
+  std::optional<ResultRow> row;   // none: without rotation
   double worst_life = not_given;  // [h]  in this bin alone, of the bearing that requirements are judged by
   double damage_share = 0.0;      // [-]  of the life of that bearing; NaN where it is not known
   double modified_damage_share = 0.0;  // [-]  the same of L10mh; NaN without an oil

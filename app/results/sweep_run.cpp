@@ -46,8 +46,7 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
   return missing;
 }
 
-/// A failed point keeps the speed it was asked for and nothing else. One that was asked to stop has not
-/// failed.
+/// A failed point keeps the speed that was requested and nothing else. A cancelled point has not failed.
 study::PointResult evaluate_with_speed(const SweepPoint& point,
                                        const std::function<study::PointResult()>& evaluate) {
   study::PointResult result;
@@ -72,7 +71,7 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
     resonance = request.resonance_of(asked);
     add_resonance(resonance, point.row);
   }
-  // A file that nobody keeps costs more than a quasi-static point.
+  // A file that is not kept costs more than a quasi-static point.
   if (request.folder.empty() || !request.point_files) return point;
   PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
   add_location_in_sweep(refined, resonance, content);
@@ -103,7 +102,7 @@ double work_of(const SweepRequest& request, const std::vector<std::size_t>& poin
   return seconds;
 }
 
-/// What was asked to stop leaves the points finished so far in the folder.
+/// If cancelled, the points finished so far remain in the folder.
 void compute(const SweepRequest& request, const Work& work, ResultFolder& folder) {
   const std::size_t before = folder.finished().size();
   Progress progress(before, before + work.missing.size(), !request.quiet, work.doing);
@@ -125,7 +124,7 @@ void compute(const SweepRequest& request, const Work& work, ResultFolder& folder
   try {
     study::compute_points(work.missing, request.jobs, evaluate, deliver);
   } catch (const Cancelled&) {
-    // Points are missing then, which run_sweep() tells.
+    // run_sweep() then reports missing points.
   }
 }
 
@@ -145,7 +144,7 @@ void compute_missing(const SweepRequest& request, ResultFolder& folder) {
                   folder.path().string(), point));
 }
 
-/// One round of refinement: the points asked for, numbered from `first`. False where it was interrupted.
+/// One round of refinement: the requested points, numbered from `first`. False where it was interrupted.
 bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& points, std::size_t first,
                    const std::string& doing, ResultFolder& folder) {
   Work work{{},
@@ -164,11 +163,11 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
                      [&](std::size_t index) { return folder.finished().contains(index); });
 }
 
-/// Adds points until the peak is known. Rounds that stand in the folder are gone through again, so that each
-/// follows from the same rows as in an undisturbed sweep. False where it was interrupted.
+/// Adds points until the peak is known. Rounds that are in the folder are repeated without computation, so
+/// that each follows from the same rows as in an undisturbed sweep. False where it was interrupted.
 bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
   std::vector<ResultRow> rows;
-  // Points of the spectrum stand between the grid's and those that are added.
+  // Points of the spectrum are numbered between those of the grid and those that are added.
   const std::size_t grid = request.header.grid(), of_spectrum = request.header.points - grid;
   const auto take_up_to = [&](std::size_t end) {
     while (rows.size() < end)
@@ -206,7 +205,7 @@ class ContinuationPath {
     const SweepPoint& asked = request_.points[point];
     study::PointResult result =
         evaluate_with_speed(asked, [&] { return request_.evaluate_from(point, state_); });
-    // A failed point has no state to go on from: the next one starts where the failed one did.
+    // A failed point has no state to continue from: the next one starts where the failed one did.
     if (is_computed(result.status) && result.dynamic) state_ = result.dynamic->final_state;
     std::vector<FinishedPoint> kept;
     kept.push_back(finished_point(request_, asked, {point, std::move(result)}));
@@ -303,7 +302,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of the points, with swept values and sets, and of the peak.
+// Units of the points, with swept values and sets, and of the peak.
 Json units_of_sweep(const ManifestHeader& header, const LifePeak& peak) {
   Json units = units_of(sweep_form(peak));
   for (const SweptAxis& axis : header.axes) units[axis.column] = axis.units;

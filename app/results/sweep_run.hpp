@@ -38,8 +38,8 @@ std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<Sweep
 /// Points that a sweep adds to its first ones until its peak, or a table, is known.
 struct Refinement {
   /// The points to be added when those of `rows` are done (the grid's in their order, without the spectrum's,
-  /// then those added before, in the order in which they were asked for); none: the peak is known. Depends on
-  /// nothing but the rows, so that a resumed sweep asks for the same points.
+  /// then those added before, in the order in which they were requested); none: the peak is known. Depends
+  /// only on the rows, so that a resumed sweep requests the same points.
   std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
@@ -55,12 +55,12 @@ struct SweepRequest {
   /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
   /// its own start where `start` is empty. Called from one thread.
   std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
-  /// Nearest resonance of a point; asked of every point where header.resonances, on one thread.
+  /// Nearest resonance of a point; called for every point where header.resonances, on one thread.
   std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
   /// Receives each row as its point ends, first those that the folder holds; one call at a time.
   std::function<void(const TableHead& head, const ResultRow& row)> take_row{};
-  std::vector<double> work{};  // [s]  (points) estimated times, which weigh the time to go; empty: alike
+  std::vector<double> work{};  // [s]  (points) estimated times, which weigh the time left; empty: equal
   /// Told once, before the first point: estimated time [s] and number of the points that the folder lacks.
   std::function<void(double seconds, std::size_t missing)> announce{};
   std::filesystem::path folder;  // empty: nothing is written
@@ -80,13 +80,13 @@ struct SweepOutcome {
   std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
 };
 
-/// Computes what is missing in the folder, or damaged, then the points that refine the peak round by round,
-/// and writes points/*.nc, manifest.jsonl, case.resolved.yaml and sweep.csv. A continued sweep takes its
-/// paths one after the other; a point goes on from the last one before it on its path that was computed,
-/// and a resumed path from the state stored with that point, so that the results are those of an undisturbed
-/// run to the last bit. Throws BadInput (folder not to be used, no state stored to go on from) and
-/// ComputationFailed (disk full, or SIGINT or SIGTERM, after which the points computed so far are kept and
-/// `resume` goes on).
+/// Computes the points that are missing in the folder, or damaged, then the points that refine the peak round
+/// by round, and writes points/*.nc, manifest.jsonl, case.resolved.yaml and sweep.csv. A continued sweep
+/// computes its paths one after the other; a point continues from the last one before it on its path that was
+/// computed, and a resumed path from the state stored with that point, so that the results are those of an
+/// undisturbed run to the last bit. Throws BadInput (folder not to be used, no state stored to continue from)
+/// and ComputationFailed (disk full, or SIGINT or SIGTERM, after which the points computed so far are kept
+/// and `resume` continues).
 SweepOutcome run_sweep(const SweepRequest& request);
 
 /// The rows of a folder; `kept` of its points were found finished.
@@ -95,10 +95,10 @@ SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t
 
 /// Joins the shards of one sweep into `folder`, which must be missing or empty. Its table equals that of the
 /// sweep run in one piece, byte for byte. Throws BadInput where shards are missing, unfinished, given twice,
-/// of unlike cases, versions, fidelities or instruction sets, or with files missing or damaged, before
-/// anything is written. Throws ComputationFailed where the disk does not take the result, or on SIGINT or
-/// SIGTERM; whatever it throws, nothing is left that it wrote. Where header.refined the folder lacks the
-/// points that refine the peak: `run_sweep` with `resume` adds them. `grid_only`: the result is one without.
+/// of different cases, versions, fidelities or instruction sets, or with files missing or damaged, before
+/// anything is written. Throws ComputationFailed where the result cannot be written, or on SIGINT or SIGTERM;
+/// in each case it removes what it wrote. Where header.refined the folder lacks the points that refine the
+/// peak: `run_sweep` with `resume` adds them. `grid_only`: the result is one without.
 SweepOutcome merge_shards(const std::vector<std::filesystem::path>& shards,
                           const std::filesystem::path& folder, bool grid_only = false);
 
@@ -122,7 +122,7 @@ void describe(described::Record& record, const LifePeak& peak);
 /// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
-/// The peak and one point that stands for all: rows hold numbers alone.
+/// The peak and one point as a form for all: rows hold numbers alone.
 described::Record sweep_form(const LifePeak& peak);
 
 /// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`

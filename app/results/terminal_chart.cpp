@@ -285,13 +285,14 @@ std::string resonance_text(const TableHead& head, const ResultRow& row) {
                      value_of(head, row, "resonance_speed_rpm"));
 }
 
-/// The rows that are shown, and what a last line says of the others.
+/// The rows that are shown, and the text on the others for a last line.
 struct ShownRows {
   std::vector<const ResultRow*> rows;
   std::string note;
 };
 
-/// All of a few; else the grid's every so many-th and, of the points added to it, the one that lives longest.
+/// All rows of a few; else every n-th of the grid and, of the points added to it, the one with the longest
+/// life.
 ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) {
   ShownRows shown;
   const ResultRow* longest = longest_lived(head, rows);

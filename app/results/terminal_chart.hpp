@@ -25,7 +25,7 @@ class Canvas {
   /// Places outside are left out.
   void dot(int x, int y);
   void line(int x0, int y0, int x1, int y1);
-  /// A character in place of the dots around (x, y); drawn over everything.
+  /// A character instead of the dots around (x, y); drawn over everything.
   void mark(int x, int y, const std::string& character);
 
   /// Lines from the top down.
@@ -56,8 +56,8 @@ std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows
 // The main columns of a sweep, for terminals.
 
 /// Speed, planet load, largest roller loads, lives and the swept axes, aligned; a failed point shows its
-/// status, and says whether the point was added to the grid. Of a long sweep every so many-th row of the grid
-/// and the longest life, which a last line then says.
+/// status, and whether the point was added to the grid. Of a long sweep every n-th row of the grid and the
+/// longest life, with a last line that states this.
 std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows);
 
 /// Loads, lives, safety and pressure of each of several sets at one point; nothing of one set.

@@ -17,7 +17,7 @@ namespace {
 // The result of that name of the worst bearing.
 using ValueOfWorst = std::function<WorstBearing(const std::string& key)>;
 
-/// Where a requirement is judged: an operating point, a bin or a whole spectrum.
+/// Load condition at which a requirement is judged: an operating point, a bin or a whole spectrum.
 struct Sample {
   ValueOfWorst of_worst;
   std::string at;
@@ -81,7 +81,7 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
     verdict.of_set = worst.set;
     verdict.at = sample.at;
   }
-  // One point that fails decides; that all pass can be said of all points alone.
+  // One failed point decides; that all pass requires all points.
   if (verdict.points_failed > 0)
     verdict.passed = false;
   else if (verdict.reason.empty())
@@ -90,7 +90,7 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
   return verdict;
 }
 
-// What requirements are judged by: lives, the sharing of load, all else.
+// Samples by which requirements are judged: for lives, for the load sharing, for all else.
 struct Samples {
   std::vector<Sample> of_lives, of_sharing, of_others;
 };
@@ -104,7 +104,7 @@ std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements, c
   return verdicts;
 }
 
-// Errors of pins count for little where the torque is large: a gear rating takes K_gamma at full load.
+// Errors of pins have little effect where the torque is large: a gear rating takes K_gamma at full load.
 const SpectrumBin* of_largest_torque(const SpectrumResult& result) {
   const SpectrumBin* largest = nullptr;
   for (const SpectrumBin& one : result.bins)
@@ -143,7 +143,7 @@ Sample sample_of(const SweepOutcome& outcome, const ResultRow& row, const std::s
           row.ok() ? "" : row.status};
 }
 
-// Lives under a spectrum, and the least viscosity ratio of its bins, which says why a life is missing.
+// Lives under a spectrum, and the least viscosity ratio of its bins, which explains a missing life.
 ValueOfWorst values_under_spectrum(const SweepOutcome& outcome, const SpectrumResult& result) {
   return [&outcome, &result](const std::string& key) {
     if (key != "kappa")

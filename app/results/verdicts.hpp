@@ -32,11 +32,11 @@ void describe_verdicts(described::Record& record, const std::vector<Verdict>& ve
 /// The same for terminals: a line for each.
 std::string verdicts_text(const std::vector<Verdict>& verdicts);
 
-/// Of a single bearing under one load.
+/// Verdicts for a single bearing under one load.
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value);
 
-/// Of a run or sweep. Under a load spectrum: life of the whole spectrum, all else in its worst bin. Without:
-/// all in the worst of the operating points. Of the worst bearing of all sets.
+/// Verdicts for a run or sweep. Under a load spectrum: life of the whole spectrum, all else in its worst bin.
+/// Without: all in the worst of the operating points. Each for the worst bearing of all sets.
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const SweepOutcome& outcome);
 
 }  // namespace orbearing::app

@@ -43,7 +43,7 @@ std::vector<std::string> keys_of_worst_bearing(const std::string& key) {
 WorstBearing worst_bearing(const std::string& key, const std::vector<std::string>& sets,
                            const LifeValue& value) {
   if (sets.empty()) return worst_of_set(key, "", value);
-  const bool sharing = key == "largest_load_share";  // none in a set whose planets carry alike
+  const bool sharing = key == "largest_load_share";  // none in a set whose planets carry equal loads
   WorstBearing worst;
   for (const std::string& set : sets) {
     WorstBearing one = worst_of_set(key, set, value);

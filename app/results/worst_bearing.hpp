@@ -19,7 +19,7 @@ struct WorstBearing {
   std::string column() const;
 };
 
-/// What the columns of one of several sets begin with; nothing for a set that is alone.
+/// Prefix of the columns of one of several sets; empty for a single set.
 std::string column_prefix(const std::string& set);
 
 /// A life of one bearing in hours: L10h, L10rh, L10mh, L10mrh or life_h.
@@ -27,7 +27,7 @@ bool is_life(const std::string& key);
 
 /// Names under which a row has the result `key` of the worst bearing, the first that has a number before the
 /// others: over a revolution of the carrier where that is a body, of the shortest life where bearings carry
-/// unlike loads, else of any bearing. What planets share is K_gamma of their meshes.
+/// unequal loads, else of any bearing. The load sharing of planets is K_gamma of their meshes.
 std::vector<std::string> keys_of_worst_bearing(const std::string& key);
 
 /// The result `key` of the worst bearing of all `sets`, or of the one set where there are none; `value` gives

@@ -103,7 +103,7 @@ double time_of_run(const ResolvedCase& in) {
   return in.quantity("simulation.duration");
 }
 
-// Of so many turns [-] at `speed` [rad/s], up to which a run-up goes from a share of it.
+// Time of `turns` [-] at `speed` [rad/s]; a run-up begins at the share `run_up_from` of that speed.
 double time_of_turns(double turns, double speed, double run_up_from) {
   return constants::two_pi * turns / (0.5 * (1.0 + run_up_from) * std::abs(speed));
 }

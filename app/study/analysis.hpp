@@ -16,7 +16,7 @@
 
 namespace orbearing::app {
 
-/// What stands in one list and then in the others, as warnings.
+/// Items of one list followed by those of the others, e.g. of warnings.
 template <class Item, class... More>
 std::vector<Item> joined(std::vector<Item> first, const More&... more) {
   (first.insert(first.end(), more.begin(), more.end()), ...);
@@ -29,18 +29,18 @@ struct Analysis {
   bool (*is_of)(const ResolvedCase&);   // whether it is what `run` does with the case; null: by `machine`
   Model machine = no_model;
   std::vector<std::string> fidelities;  // that --fidelity may name; the first is what it does without
-  std::string required;                 // in place of another one
+  std::string required;                 // message for another fidelity
   ResultNames names;
   double scatter = scatter::in_motion;  // of its results
   const char* doing = nullptr;          // begins the line of its progress; null: it is done at once
   std::size_t parts = 0;                // of that line
   double (*simulated)(const ResolvedCase&) = nullptr;  // [s]  time of the motion whose shares these parts are
   AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);   // throws BadInput, ComputationFailed
-  std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // what `check` says follows from the case
+  std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // derived quantities for `check`
 };
 
 /// The case's row for a fidelity that the user named (empty: none); null where its run is a sweep. Throws
-/// BadInput where it knows no such fidelity.
+/// BadInput where the case has no such fidelity.
 const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fidelity = "");
 
 /// The gears of a drivetrain without the dynamics of its bearings, whatever its row.

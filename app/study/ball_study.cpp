@@ -58,7 +58,7 @@ std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing
   return warnings;
 }
 
-// Of the largest loads while observed.
+// Pressure under the largest contact loads of the observed time.
 double largest_pressure(const bearing::Bearing& bearing, const system::BallMeans& means) {
   const bearing::equilibrium::BallRow row(bearing);
   return std::max(point_pressure(row.contact(bearing::Race::inner), means.inner_load_max).pressure,

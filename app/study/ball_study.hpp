@@ -26,8 +26,8 @@ struct BallStudy {
   double largest_pressure = 0.0;           // [Pa]
   double radial_clearance = 0.0;           // [m]      at the temperatures of the run
   double oil_share = 0.0;                  // [-]      in the free volume
-  /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
-  /// is none.
+  /// Stiffness of the equilibrium under the same load at the final speeds, as orbearing stiffness computes
+  /// it; none where there is no equilibrium.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
   bearing::rating::Life governing{};

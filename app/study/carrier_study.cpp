@@ -35,7 +35,7 @@ void describe_mode(described::Record& row, const SpatialMode& mode) {
       .detail = true;
 }
 
-// What the library refuses is an input of the case.
+// Reports an argument that the library refuses as a mistake of the case.
 template <typename Call>
 auto refused_as_input(const ResolvedCase& in, const Call& call) {
   try {

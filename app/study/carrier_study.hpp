@@ -11,11 +11,11 @@ namespace orbearing::app {
 /// gearset.carrier.bearing_positions.
 void require_carrier(const ResolvedCase& resolved);
 
-/// Of a case that require_carrier() takes. Throws BadInput where lists do not fit together, ComputationFailed
-/// where no balance is found.
+/// Results of a case that meets require_carrier(). Throws BadInput where lists do not fit together,
+/// ComputationFailed where no equilibrium is found.
 study::CarrierRevolution carrier_study(const ResolvedCase& resolved);
 
-/// Natural frequencies of a case in which carrier_is_body(), at rest.
+/// Natural frequencies, without rotation, of a case in which carrier_is_body().
 void describe_spatial_modes(described::Record& record, const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

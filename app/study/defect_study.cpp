@@ -101,7 +101,7 @@ namespace {
 using described::Record;
 namespace dimension = described::dimension;
 
-// Of the cage against pure rolling at the same turns of the shaft.
+// Slip of the cage relative to pure rolling at the same speed of the shaft.
 double cage_slip(const DefectStudy& study) {
   return 1.0 - study.turned.cage / (study.passing.cage * (study.turned.shaft / study.passing.shaft));
 }
@@ -149,7 +149,7 @@ void describe_turned(Record& record, const DefectStudy& study) {
   });
 }
 
-// Lines that are looked for; of a run-up, whose lines are orders, none.
+// Expected lines that were searched for; of a run-up, whose lines are orders, none.
 void describe_found(Record& record, const DefectStudy& study) {
   const std::string name = diagnosis::defect_name(study.scratched);
   const std::vector<diagnosis::NamedPeak>& envelope = study.view.envelope_peaks;

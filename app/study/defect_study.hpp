@@ -1,4 +1,4 @@
-// A bearing with scratches: its vibration in time, and what an instrument would make of it.
+// A bearing with scratches: its vibration in time, and the signal of an instrument.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace orbearing::app {
 struct DefectStudy {
   bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
   bool moving = false;                          // all bodies, balls and cage too
-  bool rollers = false;                         // in place of balls
+  bool rollers = false;                         // instead of balls
   bool run_up = false;                          // spectra are over orders of the shaft
   bearing::defect::PassingFrequencies passing;  // at pure rolling, at the end of a run-up
   bearing::defect::PassingFrequencies
@@ -40,14 +40,14 @@ bool is_defect(const ResolvedCase& resolved);
 /// How much of the bearing moves: the outer ring alone on balls without mass, or all of it.
 enum class DefectRung { ring, all };
 
-/// `progress` gets the share done, if any; of the ring alone it is not asked. `disturb` may add to what the
-/// instrument records before it is analysed. Throws ComputationFailed where the motion cannot be followed,
+/// `progress` gets the share done, if any; for the ring alone it is not called. `disturb` may add to the
+/// recorded signal before it is analysed. Throws ComputationFailed where the motion cannot be integrated,
 /// BadInput as scratched_motion_of().
 DefectStudy defect_study(const ResolvedCase& resolved, DefectRung rung = DefectRung::ring,
                          const std::function<void(double)>& progress = {},
                          const std::function<void(study::RingVibration&)>& disturb = {});
 
-/// What follows from the inputs, for `orbearing check`.
+/// Quantities derived from the inputs, for `orbearing check`.
 std::vector<Derived> defect_quantities(const ResolvedCase& resolved);
 
 // The vibration of a bearing with scratches as results, and its signal as files.
@@ -60,11 +60,11 @@ Eigen::ArrayXd evenly_spaced(Eigen::Index count, double step);
 /// Time of a signal of so many `samples`, `rate` [Hz] of them a second.
 void describe_time(described::Record& record, Eigen::Index samples, double rate);
 
-/// Peaks as rows; in a run-up they stand at orders.
+/// Peaks as rows; in a run-up they are given at orders.
 void describe_peaks(described::Record& record, const std::string& name, const std::string& along,
                     const std::vector<diagnosis::NamedPeak>& peaks, bool run_up,
                     const described::Dimension& amplitude);
-/// What every vibration tells first, with the acceleration that `view` shows.
+/// First entries of every vibration result, with the acceleration that `view` shows.
 void describe_vibration(described::Record& record, double shaft_frequency, double cage_frequency,
                         const std::optional<double>& defect_frequency, const diagnosis::InstrumentView& view,
                         bool run_up);
@@ -75,7 +75,7 @@ void describe(described::Record& record, const DefectStudy& study);
 /// Time and acceleration, as rows of text.
 std::string signal_csv(const DefectStudy& study);
 
-/// The acceleration as a sound: one channel of 32-bit numbers, largest magnitude 1. Players want a rate in
+/// The acceleration as a sound: one channel of 32-bit numbers, largest magnitude 1. Players require a rate in
 /// whole Hz.
 std::string signal_wav(const DefectStudy& study);
 
@@ -102,7 +102,7 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
 
 void describe(described::Record& record, const PlanetDefectStudy& study);
 
-/// What follows from the inputs, for `orbearing check`.
+/// Quantities derived from the inputs, for `orbearing check`.
 std::vector<Derived> planet_defect_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

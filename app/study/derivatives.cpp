@@ -105,7 +105,7 @@ ScalarResult scalar_result(const ResolvedCase& in, const std::string& fidelity, 
   result.analysis = run.analysis;
   result.scatter = run.scatter;
   const std::string set = std::string(limiting_set_column);
-  // Of several sets, the row is that of the set with the worst bearing.
+  // With several sets, the row is that of the set with the worst bearing.
   result.compute = [compute = std::move(run.compute), quantity = result.quantity, named = !key.empty(),
                     set](const ResolvedCase& changed) -> ScalarResult::Value {
     const Json object = compute(changed);
@@ -131,9 +131,9 @@ ScalarResult::Value value_here(const ResolvedCase& in, const ScalarResult& resul
 
 namespace {
 
-// Slopes below this change nothing of a result at rest but its last digits.
+// Slopes below this change only the last digits of a quasi-static result.
 constexpr double kNothing = 1e-8;  // [-]  of ln of the result
-// From slopes to both sides that differ by as much there is none at rest.
+// Slopes to both sides that differ by more mean that a quasi-static result has no derivative.
 constexpr double kKink = 1e-2;
 
 // One number of the case: that of an input, or an element of its list.
@@ -183,7 +183,7 @@ std::array<double, 2> offsets(int side) {
   return side == 0 ? std::array{-1.0, 1.0} : std::array{1.0 * side, 2.0 * side};
 }
 
-// An input with what stands in the place of its derivatives, or with the runs that give one.
+// An input with the reason for no derivative, or with the runs that give one.
 struct WithoutEffect {
   std::string path;
 };
@@ -370,7 +370,7 @@ std::string side_text(int side) {
   return side > 0 ? "to larger values alone" : "to smaller values alone";
 }
 
-// Of a life; that of another result is in its key.
+// Dimension of a life; other results have their unit in their key.
 described::Dimension dimension_of(const Derivatives& d) {
   if (d.unit == "h") return described::dimension::hours;
   return d.unit == "Mrev" ? described::Dimension{"revolutions", "1e6", "Mrev", ""} : described::Dimension{};

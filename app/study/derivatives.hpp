@@ -47,7 +47,7 @@ struct ScalarResult {
 ScalarResult scalar_result(const ResolvedCase& resolved, const std::string& fidelity = "",
                            const std::string& key = "");
 
-/// That of the case itself. Throws BadInput or ComputationFailed where its run gives none.
+/// Result of the case itself. Throws BadInput or ComputationFailed where its run gives none.
 ScalarResult::Value value_here(const ResolvedCase& resolved, const ScalarResult& result);
 
 /// A slope by the offset of a number [result].
@@ -60,10 +60,11 @@ struct Slope {
 /// The step (1) for results of a scatter [-].
 double step_for(double scatter);
 
-/// Of results `here` and at the offsets -h and h, or where `side` says so at h and 2 h to that side.
+/// Slope from results `here` and at the offsets -h and h, or with `side` +1 or -1 at h and 2 h to that side.
 Slope slope_of(double here, const std::array<double, 2>& there, int side, double scatter);
 
-/// By one number of the case. [result] is the unit of the result, [unit] the number's customary one.
+/// Derivative by one number of the case. [result] is the unit of the result, [unit] the number's customary
+/// one.
 struct Derivative {
   std::string path;                  // of an element of a list with its index: "bearing.axial_places[0]"
   double value = 0.0;                // [unit]
@@ -77,7 +78,7 @@ struct Derivative {
   int side = 0;                      // as in Slope
 };
 
-/// What a number or choice has in place of a derivative.
+/// A number or choice without a derivative, with the reason.
 struct NoDerivative {
   std::string path;
   std::string given;
@@ -85,10 +86,10 @@ struct NoDerivative {
 };
 
 struct Derivatives {
-  std::string quantity;            // "life_h", "L10r_Mrev" or what was asked for
+  std::string quantity;            // "life_h", "L10r_Mrev" or the requested one
   std::string unit;                // "h", "Mrev" or empty
   double value = 0.0;              // [unit]
-  std::string of_set;              // of several sets, the one with the worst bearing; else empty
+  std::string of_set;              // with several sets, the one with the worst bearing; else empty
   std::vector<Derivative> inputs;  // the largest elasticity first
   std::vector<NoDerivative> not_differentiable;  // used by the run
   std::vector<std::string> without_effect;       // the result does not follow them
@@ -103,7 +104,7 @@ struct DerivativeOptions {
       [](const std::string&, const std::function<double()>& compute) { return compute(); };
 };
 
-/// Of `result` at the case's operating point, where it is `here`, by two runs for each input.
+/// Derivatives of `result` at the case's operating point, where it is `here`, by two runs for each input.
 Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result,
                         const ScalarResult::Value& here, const DerivativeOptions& options = {});
 

@@ -29,7 +29,7 @@ rating::Lubrication lubrication_of(const ResolvedCase& in) {
   return found == "grease" ? rating::Lubrication::grease : rating::Lubrication::circulating_oil;
 }
 
-// Words, and the codes of ISO 4406 that stand for them where oil circulates.
+// Words, and the equivalent codes of ISO 4406 where oil circulates.
 rating::Cleanliness cleanliness_of(const std::string& found) {
   constexpr std::array<std::array<const char*, 2>, 5> levels{{{"highest", "-/13/10"},
                                                               {"high", "-/15/12"},
@@ -73,7 +73,7 @@ std::vector<bearing::RaceHarmonic> form_of(const ResolvedCase& in, const std::st
   return form;
 }
 
-// What the bearings of a set are rated by.
+// Ratings, oil, reliability and method of the life for the bearings of a set.
 study::RatedBearing rated_bearing(const ResolvedCase& in) {
   study::RatedBearing rated{.stated = stated_ratings_of(in),
                             .oil = stated_oil(in),

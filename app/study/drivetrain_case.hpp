@@ -21,15 +21,15 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved);
 /// Whether some set has helical teeth.
 bool is_helical(const ResolvedCase& resolved);
 
-/// What motion of helical gears leaves out.
+/// Effects that the motion of helical gears leaves out.
 std::vector<std::string> planar_warnings(const ResolvedCase& resolved);
 
 // The oil and its cleanliness as a case states them, for the modified life of ISO 281.
 
-/// None where neither oil nor cleanliness is said: then lives know no a_ISO.
+/// None where neither oil nor cleanliness is stated: then lives have no a_ISO.
 std::optional<bearing::rating::StatedOil> stated_oil(const ResolvedCase& resolved);
 
-/// What lives take for granted, a cleanliness that is not said; and a requirement of another life than the
+/// Assumptions of lives, e.g. a cleanliness that is not stated; and a requirement of another life than the
 /// governing one.
 std::vector<std::string> rating_warnings(const ResolvedCase& resolved);
 

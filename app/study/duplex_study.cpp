@@ -68,7 +68,7 @@ std::array<double, 5> frequencies_of(const duplex::PairModes& modes) {
   return found;
 }
 
-// Of the pairs identified from, or of all others.
+// Errors for the pairs used for identification, or for all others.
 FrequencyErrors errors_of(const std::vector<PredictedPair>& pairs, bool identified_from,
                           std::array<double, 5> PredictedPair::*model) {
   FrequencyErrors errors;
@@ -145,7 +145,7 @@ Identification identification_of(const ResolvedCase& in) {
   return found;
 }
 
-// A fit at its bound, or one that does not end, says little of the shaft.
+// A fit at its bound, or one that does not end, gives little information on the shaft.
 void warn(const Identification& found, std::vector<std::string>& warnings) {
   constexpr double vague = 0.2;  // of frequencies
   if (!found.nonlinear.found.converged)

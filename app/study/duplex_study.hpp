@@ -22,9 +22,9 @@ struct PairColumn {
 
 /// The pair under its preload at the speed of the shaft.
 struct PairPoint {
-  bool linear = false;  // what the case asks for
+  bool linear = false;  // the choice of the case
   PairColumn nonlinear;
-  std::optional<PairColumn> published;  // linear formulas; of face-to-face and tandem that stand
+  std::optional<PairColumn> published;  // linear formulas; for stationary face-to-face and tandem pairs
   bearing::equilibrium::RingState state;
   double approach = 0.0;  // [m]  of each row
   std::vector<std::string> warnings;
@@ -32,10 +32,10 @@ struct PairPoint {
   const PairColumn& asked() const { return linear ? *published : nonlinear; }
 };
 
-/// Modes by the stiffness that the case asks for, and by the other.
+/// Modes by the stiffness that the case selects, and by the other.
 void describe(described::Record& record, const PairPoint& point);
 
-/// A measured pair beside what both models predict with their identified constants [Hz].
+/// A measured pair with the predictions of both models with their identified constants [Hz].
 struct PredictedPair {
   MeasuredPair measured;
   bool identified_from = false;
@@ -55,7 +55,7 @@ inline void describe(described::Record& record, const FrequencyErrors& errors) {
   record.value("worst_percent", dimension::percent, "largest error of a frequency", errors.worst);
 }
 
-/// What one model makes of the measured frequencies.
+/// Constants of one model identified from the measured frequencies, and its errors.
 struct IdentifiedModel {
   bearing::duplex::Identified found;
   FrequencyErrors fit;         // of the pairs identified from
@@ -88,8 +88,8 @@ void describe(described::Record& record, const Response& response);
 /// The pair at one of `operation.speeds`.
 struct PairAtSpeed {
   double speed = 0.0;                               // [rad/s]
-  std::optional<bearing::duplex::PairModes> modes;  // none: no balance
-  bearing::equilibrium::RingState state;            // its report says why
+  std::optional<bearing::duplex::PairModes> modes;  // none: no equilibrium
+  bearing::equilibrium::RingState state;            // its report has the reason
 };
 
 /// With the ball that has the largest load on the inner race.
@@ -115,13 +115,13 @@ void describe(described::Record& record, const DuplexStudy& study);
 /// Whether a case is that of a duplex pair.
 bool is_duplex(const ResolvedCase& resolved);
 
-/// Throws ComputationFailed where no balance is found.
+/// Throws ComputationFailed where no equilibrium is found.
 PairPoint pair_point(const ResolvedCase& resolved);
 /// At each of `operation.speeds`, of the nonlinear pair; empty where the case has none.
 std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& resolved);
 DuplexStudy duplex_study(const ResolvedCase& resolved);
 
-/// What follows from the inputs, for `orbearing check`.
+/// Quantities derived from the inputs, for `orbearing check`.
 std::vector<Derived> duplex_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

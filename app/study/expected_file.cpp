@@ -138,7 +138,7 @@ MotionPlan motion_plan(const YAML::Node& node) {
   return plan;
 }
 
-// The shipped cases, and the folder of the cases that exist only to stand beside a source.
+// The shipped cases, and the folder of cases that exist only for the comparison with a source.
 std::array<fs::path, 2> folders_of_cases() {
   const fs::path shipped = shipped_cases();
   return {shipped, shipped / "validation"};

@@ -10,9 +10,9 @@
 
 namespace orbearing::app {
 
-/// What a number that ours is compared with rests on.
+/// Evidence for a number that is compared with ours.
 enum class EvidenceKind {
-  measurement,     // somebody measured it
+  measurement,     // a measured value
   program,         // computed by another program or by the source's own model
   worked_example,  // a printed example or table of a textbook, standard or catalogue
   closed_form,     // a formula
@@ -28,7 +28,7 @@ constexpr described::Names<EvidenceKind, 5> names_of(EvidenceKind) {
            {EvidenceKind::recomputed, "recomputed"}}};
 }
 
-/// Whether numbers of this kind count as values of others: a formula and what we recompute do not.
+/// Whether numbers of this kind are values of other sources: formulas and recomputed numbers are not.
 bool counts(EvidenceKind kind);
 
 /// One published number.
@@ -36,7 +36,7 @@ struct PublishedValue {
   std::string source;  // with its key in REFERENCES.md
   EvidenceKind kind = EvidenceKind::recomputed;
   std::string of;        // class of the quantity: "natural frequency"; "trend" where only a direction is claimed
-  std::string quantity;  // a name that the validation table knows how to compute, or COMMAND:/json/pointer
+  std::string quantity;  // a name that the validation table can compute, or COMMAND:/json/pointer
   std::string meaning;
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
@@ -61,7 +61,7 @@ struct ResultPointer {
 };
 std::optional<ResultPointer> result_pointer(const std::string& quantity);
 
-/// Readings that affect the motion in time alone, and where they are looked at.
+/// Readings that affect the motion in time alone, and the speeds at which they are compared.
 struct MotionPlan {
   std::string fidelity = "monolithic";
   std::vector<double> speed_rpm;
@@ -78,8 +78,8 @@ struct ExpectedFile {
 /// here.
 ExpectedFile read_expected(const std::string& file);
 
-/// The case files that `names` (files or folders) stand for; where `names` is empty, all that ship with published
-/// numbers, in `cases` and in `cases/validation`.
+/// The case files that `names` (files or folders) refer to; where `names` is empty, all shipped cases with
+/// published numbers, in `cases` and in `cases/validation`.
 std::vector<std::string> case_files(const std::vector<std::string>& names);
 
 /// expected.yaml of the shipped case called `name`; the file need not exist.

@@ -25,9 +25,10 @@ inline bool is_coupled(study::Fidelity fidelity) {
   return fidelity == study::Fidelity::co_simulated || fidelity == study::Fidelity::monolithic;
 }
 
-// What of a case a computation can take.
+// Inputs of a case that a computation includes.
 
-/// Throws BadInput where the case holds what `fidelity` ought to compute and cannot, or what a sweep cannot.
+/// Throws BadInput where the case has inputs that `fidelity` should include and cannot, or that a sweep
+/// cannot.
 void require_computable(const ResolvedCase& resolved, const std::string& fidelity, bool sweep);
 
 }  // namespace orbearing::app

@@ -37,7 +37,7 @@ bearing::film::ContactMotion contact_motion(const balance::RingState& state, Rac
           .spin = std::abs((inner ? state.inner_spin : state.outer_spin)[ball])};
 }
 
-// One balance of the table, with film or without; absent where none was found.
+// One equilibrium of the table, with film or without; absent where none was found.
 void describe_balance(Record& row, const bearing::Bearing& bearing, const balance::RowMotion& motion,
                       const std::optional<balance::RingState>& state) {
   const std::string kind = motion.film ? "film_" : "hertz_", with = motion.film ? "with film" : "after Hertz";
@@ -79,7 +79,7 @@ void describe_balance(Record& row, const bearing::Bearing& bearing, const balanc
   }
 }
 
-// Where a parabola through the largest value and its neighbours is highest; none at an end.
+// Speed at the vertex of a parabola through the largest value and its neighbours; none at an end.
 std::optional<double> highest_at(const SpeedTable& table, const std::string& name) {
   const auto value = [&](std::size_t row) { return number_in(table.rows[row], name); };
   const auto speed = [&](std::size_t row) { return number_in(table.rows[row], "speed_rpm"); };

@@ -1,4 +1,5 @@
-// Films under the balls of a bearing in balance, and its balance over speed, with films and with Hertz's law.
+// Films under the balls of a bearing in equilibrium, and its equilibrium over speed, with films and with
+// Hertz's law.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace orbearing::app {
 
-/// Of one ball on one race.
+/// Film of one ball on one race.
 struct BallFilm {
   Eigen::Index ball = 0;
   bearing::Race race = bearing::Race::inner;
@@ -21,11 +22,11 @@ struct BallFilm {
 
 void describe(described::Record& row, const BallFilm& film);
 
-/// Of all loaded balls of a state whose rings turn, inner race first; empty for one at rest.
+/// Films of all loaded balls of a state whose rings rotate, inner race first; empty for a stationary bearing.
 std::vector<BallFilm> ball_films(const bearing::Bearing& bearing, const bearing::Lubricant& oil,
                                  const bearing::equilibrium::RingState& state);
 
-/// What of them lies outside of the ranges of the regressions, one line for each race and quantity.
+/// Warnings on films outside of the ranges of the regressions, one line for each race and quantity.
 std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const std::vector<BallFilm>& films);
 
 /// The ball with the largest load on the inner race, over the speed of the inner ring.
@@ -40,8 +41,8 @@ struct SpeedTable {
 
 void describe(described::Record& record, const SpeedTable& table);
 
-/// At `operation.speeds`; none where the case has none. With film and without where `film.enabled` says so.
-/// A speed at which no balance is found has no numbers, and a warning.
+/// At `operation.speeds`; none where the case has none. With film and without if `film.enabled` is true. A
+/// speed without equilibrium has no numbers, and a warning.
 std::optional<SpeedTable> speed_table(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

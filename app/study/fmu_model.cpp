@@ -59,7 +59,7 @@ system::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
   return setup;
 }
 
-// The forces that linear bearings give in the static state, so that an unconnected set begins at rest.
+// The forces of linear bearings in the static state, so that an unconnected set begins at rest.
 std::vector<double> start_forces(const system::DrivenGearsSetup& setup) {
   system::DrivenGears gears(setup);
   gears.initialize(0.0);
@@ -101,7 +101,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "build/release/bin/orbearing" or "<prefix>/bin/orbearing": the libraries stand beside bin in both.
+// "build/release/bin/orbearing" or "<prefix>/bin/orbearing": in both, the libraries are in a folder next to
+// bin.
 fs::path libraries_folder() {
   return resources().folder / "lib" / "orbearing" / "fmu";
 }
@@ -154,7 +155,7 @@ Ended run_program(const fs::path& program, const std::string& doing, bool quiet)
   return ended;
 }
 
-// Where a library is missing and the means to build it stand beside, it is built. Gives why there is none.
+// Builds a missing library where its build program is available. Returns the reason where there is none.
 std::string build_missing(const Platform& platform, const fs::path& library, bool quiet) {
   const fs::path recipe = libraries_folder() / (std::string("build_") + platform.folder);
   if (!fs::exists(recipe))

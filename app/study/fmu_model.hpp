@@ -11,9 +11,9 @@
 
 namespace orbearing::app {
 
-/// One bearing of one planet, its speeds and its load at the start those of the case's operating point. Throws BadInput
-/// for a case of another model, of several sets, without bearing or with what a driven bearing does not
-/// include, as require_used() says.
+/// One bearing of one planet, its speeds and its load at the start those of the case's operating point.
+/// Throws BadInput for a case of another model, of several sets, without bearing or with inputs that a driven
+/// bearing does not include, as require_used().
 fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);
 
 /// The gear set with its planet bearings left out; at the start they hold the mean loads of the case. Throws
@@ -29,9 +29,9 @@ struct FmuLibrary {
   std::string content;
 };
 
-/// The library for the platform at hand and, where `windows`, that for Windows. One that is missing is built
-/// where a program build_<platform> stands beside the others, with its progress on standard error unless
-/// `quiet`. Throws ComputationFailed where there is none.
+/// The library for this platform and, with `windows`, the one for Windows. A missing one is built where a
+/// program build_<platform> is in the same folder, with its progress on standard error unless `quiet`. Throws
+/// ComputationFailed where there is none.
 std::vector<FmuLibrary> fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool windows,
                                       bool quiet);
 

@@ -155,7 +155,7 @@ OilInContacts oil_at(const bearing::OilGrade& oil, double temperature) {
   return {bearing::lubricant_at(oil, temperature), bearing::viscosity_slope(oil, temperature)};
 }
 
-// Of a case that states its viscosity, by grade or directly; none where it states neither, or a viscosity
+// Oil of a case that states its viscosity, by grade or directly; none where it states neither, or a viscosity
 // that no mineral oil has at the default temperature.
 std::optional<bearing::OilGrade> oil_of(const ResolvedCase& in) {
   if (in.has("lubricant.grade")) return graded_oil(in);
@@ -176,15 +176,15 @@ friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<frict
   return inlets;
 }
 
-// Balances with the first element at even positions over a pitch, the stated one among them: rollers enter
-// and leave the load zone as the cage turns.
+// Equilibria with the first element at even positions over a pitch, the stated one among them: rollers enter
+// and leave the load zone as the cage rotates.
 class OverPitch {
  public:
   OverPitch(const ResolvedCase& in, const bearing::Bearing& bearing, const RingState& stated)
       : in_(in), bearing_(bearing), balances_{stated} {}
 
-  /// Friction by `loss` of a balance: mean over so many positions that twice as many change its sum by less
-  /// than the printed digits, or over the most.
+  /// Friction by `loss` of an equilibrium: mean over so many positions that twice as many change its sum by
+  /// less than the printed digits, or over the most.
   template <class Loss>
   void put_means(const Loss& loss, FrictionStudy& study) {
     constexpr double same = 2e-4;  // [-]
@@ -233,7 +233,7 @@ class OverPitch {
   std::vector<RingState> balances_;
 };
 
-// Of rollers, in oil at its stated temperature or at that at which it takes the heat along.
+// Friction of a roller bearing, with the oil at its stated temperature or at the one of its heat balance.
 FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                            const RingState& at_stated, const OilInContacts& stated) {
   const std::optional<friction::BearingSize> size = size_of(in);
@@ -268,8 +268,8 @@ FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& beari
   }
 }
 
-// Balls of a contact angle carry a radial load with an axial one of at least as much times its tangent. Less
-// leaves them nowhere to stand: the rings part.
+// Balls with a contact angle require an axial load of at least the radial load times the tangent of that
+// angle. With less there is no equilibrium: the rings separate.
 std::string too_little_thrust(const bearing::Bearing& bearing, const bearing::equilibrium::RingLoad& load) {
   const double angle = std::abs(bearing.contact_angle()), axial = std::abs(load.axial);
   const double least = std::abs(load.radial) * std::tan(angle);
@@ -282,7 +282,7 @@ std::string too_little_thrust(const bearing::Bearing& bearing, const bearing::eq
       axial, angle * 180.0 / constants::pi, std::abs(load.radial), least);
 }
 
-// What is left unbalanced says something only where the search for an equilibrium failed.
+// The unbalanced load is informative only where the search for an equilibrium failed.
 std::string no_equilibrium_text(const bearing::equilibrium::BalanceReport& report, double load) {
   constexpr double found = 1e-6;  // [-]  of the load
   if (report.residual <= found * load) return report.message;

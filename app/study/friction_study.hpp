@@ -13,7 +13,7 @@
 
 namespace orbearing::app {
 
-/// What the program finds, of which the formulas of others are to be beside.
+/// Result of this program, for comparison with the formulas of other sources.
 struct OurFriction {
   double speed = 0.0;       // [rad/s]  of the rings against each other
   double torque = 0.0;      // [N m]
@@ -43,16 +43,17 @@ struct FrictionByStandards {
   OurFriction ours;  // with its resistance without heating
 };
 
-/// Of each formula its torque by part, its power and ours over it; the heat of [ISO15312] by the size.
+/// Torque of each formula by part, its power and our torque divided by it; the heat of [ISO15312] by the
+/// size.
 void describe(described::Record& record, const FrictionByStandards& standards);
 
-/// Balance of the bearing of a case under its load. Throws ComputationFailed where there is none.
+/// Equilibrium of the bearing of a case under its load. Throws ComputationFailed where there is none.
 bearing::equilibrium::RingState balance_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
 
-/// Mean over the positions of the cage in a pitch, `stated` being the balance at the stated one.
-/// With `heat.enabled` at the temperature at which the oil leaves with all heat; throws ComputationFailed
-/// where that is too hot, or where a position has no balance. None where no ring turns, no oil is stated, or,
-/// of balls, the width of the rings is not known or the balance is that of balls at rest.
+/// Mean over the positions of the cage in a pitch, `stated` being the equilibrium at the stated one. With
+/// `heat.enabled` at the temperature at which the oil carries off all heat; throws ComputationFailed where
+/// that is too hot, or where a position has no equilibrium. None where no ring rotates, no oil is stated, or,
+/// for balls, the width of the rings is not known or the equilibrium is that of stationary balls.
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& stated);
 

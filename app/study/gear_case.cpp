@@ -52,7 +52,7 @@ double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::D
   return drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
 }
 
-// What follows from the drivetrain; without a bearing that of its gears alone.
+// Geometry of the drivetrain; without a bearing that of its gears alone.
 study::DrivetrainGeometry geometry_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
   if (in.shape().bearing) return study::derive(drivetrain);
   study::DrivetrainGeometry geometry;
@@ -90,7 +90,7 @@ void require_one_set(const ResolvedCase& in) {
                    ": sets: found several sets; required: one set, as gearset at the top of a case");
 }
 
-// Springs in place of the bearings are those of cylindrical rollers.
+// The springs that replace the bearings are those of cylindrical rollers.
 void require_known_springs(const ResolvedCase& in) {
   if (has_cylindrical_rollers(in)) return;
   throw BadInput(
@@ -168,8 +168,8 @@ std::vector<Derived> rows_of_gears(const gearset::dynamics::SetModel& model) {
 
 }  // namespace
 
-// Where the bearings have no stiffness, as out of contact, all else is that with any other spring in their
-// place.
+// If the bearings have no stiffness, e.g. without contact, the other quantities are those with any other
+// spring instead.
 std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
   const std::vector<Derived> rows =
       or_reason(kBlock + kBearingStiffness, [&] { return rows_of_gears(gear_model_of(resolved)); });
@@ -339,7 +339,7 @@ void describe(Record& record, const ModeStudy& study) {
               "outward and tangential",
               along, shape.position)
         .detail = true;
-    // At rest all moves in phase: there is nothing to tell.
+    // Without rotation all members move in phase: the second shape would be zero.
     if (shape.quarter.cwiseAbs().maxCoeff() > 0.0)
       row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along,
                 shape.quarter)

@@ -49,14 +49,14 @@ void describe(described::Record& record, const ModeStudy& study);
 /// Displacements of a mode over the largest of them: a row (x, y, u) for sun, ring, carrier and each planet,
 /// as the state has them. Those of a planet are outward and in the sense of carrier rotation; u is a rotation
 /// times the member's radius. Of several shapes of one frequency the combination in which one displacement is
-/// as large as it can be: of those that are alike, the first.
+/// as large as it can be: of equal ones, the first.
 struct ModeShape {
   Eigen::MatrixX3d position;  // [-]  (members, 3)  where the largest has its largest value
-  Eigen::MatrixX3d quarter;   // [-]  (members, 3)  a quarter of a period later; zero of modes at rest
+  Eigen::MatrixX3d quarter;   // [-]  (members, 3)  a quarter of a period later; zero without rotation
 };
 ModeShape shape_of(const gearset::dynamics::Mode& mode);
 
-/// At rest, or in the frame of the carrier at the speed of the model.
+/// Modes without rotation, or in the frame of the carrier at the speed of the model.
 ModeStudy mode_study(const gearset::dynamics::SetModel& model, bool at_speed = false);
 
 /// Natural frequencies over speed from rest to the nominal speed [rad/s], and mesh harmonics, for a Campbell

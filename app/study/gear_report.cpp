@@ -88,7 +88,7 @@ Json tooth_pairs_json(const gearset::WorkingGeometry& geometry, const gearset::P
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;
-constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a usual step of the sweep
+constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a typical step of the sweep
 constexpr int kShapesOfKind = 2;
 constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order apart
 constexpr double kStill = 1e-3;        // of the largest frequency: a mode below is a free rotation
@@ -168,7 +168,7 @@ Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& 
   return list;
 }
 
-// The real part of a shape whose largest component is made real: how the members stand at one instant.
+// The real part of a shape whose largest component is made real: the positions of the members at one instant.
 std::vector<double> snapshot_of(const Mode& mode) {
   const ModeShape shape = shape_of(mode);
   const Eigen::VectorXd flat = shape.position.reshaped<Eigen::RowMajor>();

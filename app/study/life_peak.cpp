@@ -27,18 +27,19 @@ constexpr double kMotionResolution = 10.0;      // [rpm]
 constexpr double kQuasiStaticResolution = 2.0;  // [rpm]
 constexpr double kMotionShare = 1.0 / 200.0;    // of the speed, below 2000 rpm
 constexpr double kQuasiStaticShare = 1.0 / 1000.0;
-// A resonance of damping ratio 0.02 or more dips over 4 % of its speed at least: steps of a fortieth of the
-// speed cannot miss what stands between two dips.
+// A resonance of damping ratio 0.02 or more reduces the life over at least 4 % of its speed: steps of a
+// fortieth of the speed cannot miss a maximum between two such dips.
 constexpr double kScanStep = 1.0 / 40.0;
 // Between two computed speeds life rises by no more than this power of speed: L10 in hours grows with v^(7/3)
 // where the load falls as 1 / v; the flanks of dips are steeper, but short.
 constexpr double kSteepestRise = 3.5;
-// A resonance this near to a computed point [of its speed] is seen already.
+// A resonance this near to a computed point [of its speed] is resolved already.
 constexpr double kSeen = 1.0 / 80.0;
 // A hill whose parabola would top the best point by less is no rival: single points in motion scatter by
 // more.
 constexpr double kRival = 1e-3;
-// Nor is one, in motion, whose neighbours stand nearer than this [of its speed]: no parabola is left to see.
+// Nor is one, in motion, whose neighbours are nearer than this [of its speed]: the points resolve no
+// parabola.
 constexpr double kRivalStep = 1.0 / 160.0;
 
 using SpeedLine = std::vector<LivedSpeed>;  // ascending
@@ -54,7 +55,7 @@ SpeedGap gap_above(const SpeedLine& axis, std::size_t i) {
   return {axis[i], axis[i + 1]};
 }
 
-// Speeds are asked for in few digits, so that the case that a user writes for one is that very point.
+// Speeds have few digits, so that a case with the speed as printed is exactly that point.
 double short_speed(double rpm, double resolution) {
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(0.5 * resolution))));
   const double parts = std::pow(10.0, digits);  // whole: the quotient is the double nearest to the few digits
@@ -182,7 +183,7 @@ void warn_of_neighbours(const SpeedLine& line, std::size_t best, bool in_motion,
     if (!(neighbour.life_h > 0.0))
       warnings.push_back(fmt::format(
           "peak: the neighbouring point, at {:g} rpm, failed; life may rise further there", neighbour.rpm));
-    // Speeds are asked for in whole digits, so that halves may differ by one.
+    // Speeds are requested in whole digits, so that halves may differ by one.
     if (std::abs(neighbour.rpm - peak_rpm) > 1.5 * resolution)
       warnings.push_back(
           fmt::format("peak: its speed, {:g} rpm, is known no better than to the next computed "
@@ -193,7 +194,7 @@ void warn_of_neighbours(const SpeedLine& line, std::size_t best, bool in_motion,
   if (best + 1 < line.size()) look_at(line[best + 1]);
 }
 
-// Of a sweep with more axes than speed, the one line on which points were added.
+// Warning for a sweep with more axes than speed: the one line on which points were added.
 void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
                          std::vector<std::string>& warnings) {
   std::string position;
@@ -250,7 +251,7 @@ LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const Reso
   return {[&](const std::string& name) { return value_of(outcome.head, row, name); }, words_of(in)};
 }
 
-// Of the worst planet bearing, where the carrier is a body.
+// Result of the worst planet bearing, where the carrier is a body.
 std::string carrier_text(const SweepOutcome& outcome, const ResultRow& row) {
   const auto value = [&](const std::string& name) { return value_of(outcome.head, row, "carrier_" + name); };
   if (!std::isfinite(value("load_share"))) return "";
@@ -286,8 +287,8 @@ nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const Sweep
 
 namespace {
 
-// Beyond so many added points a search is given up; the result says how well the peak is known then. No curve
-// that was seen needed a quarter of them.
+// With more added points than this a search is stopped; the result then states the resolution of the peak. No
+// known curve needed a quarter of them.
 constexpr std::size_t kMostAdded = 400;
 
 PeakSearch search_on_line(bool in_motion, const std::vector<Resonance>& resonances) {

@@ -18,27 +18,27 @@ struct LivedSpeed {
   double life_h = 0.0;  // [h]  0 where the point failed
 };
 
-/// What the curve of life may look like.
+/// Expected shape of the curve of life.
 struct PeakSearch {
-  /// Life by motion in time: it dips where the gears resonate, so that several maxima may stand side by side,
-  /// and repeats to about a percent only. Otherwise it is smooth.
+  /// Life by motion in time: it dips where the gears resonate, so that there may be several maxima, and is
+  /// repeatable only to about one percent. Otherwise it is smooth.
   bool in_motion = false;
   std::vector<double> resonances_rpm;  // [rpm]  where dips are expected
 };
 
-/// How near its neighbours must stand for the speed of the peak to be known [rpm]: 10 rpm in motion and 2 rpm
-/// otherwise, at low speeds a two-hundredth or a thousandth of the speed.
+/// Largest distance of its neighbours at which the speed of the peak is known [rpm]: 10 rpm in motion and 2
+/// rpm otherwise, at low speeds a two-hundredth or a thousandth of the speed.
 double peak_resolution(double rpm, bool in_motion);
 
 /// The speeds [rpm] to be computed next, ascending, when those of `done` are (ascending; in one line of a
 /// sweep). None where the peak is known: the longest life has a neighbour within `peak_resolution` on each
-/// side, or stands at an end of the range; and no stretch is left unseen in which a curve with resonances
+/// side, or is at an end of the range; and no unresolved interval remains in which a curve with resonances
 /// could rise above it (docs/peak.md). Depends on its arguments alone; never leaves the range of `done`.
 std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search);
 
 /// Peak of life on the grid and, where it was refined, of all points on the line of speeds through the grid's
-/// best; with what must be said of it: that it stands at an end of the range, beside a failed point, or is
-/// not as well known as it should be.
+/// best; with warnings: that it is at an end of the range, next to a failed point, or less accurate than
+/// required.
 struct FoundPeak {
   LifePeak peak;
   std::vector<std::string> warnings;
@@ -53,7 +53,7 @@ std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outc
 /// As lives_record(), with `speed_rpm` of the point; null where no point has a life.
 nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const SweepOutcome& outcome);
 
-// What a sweep adds to its grid: the points that refine its peak.
+// Points that a sweep adds to its grid: those that refine its peak.
 
 /// Makes `request` add points on the line of speeds through the grid's best point until its peak is known.
 /// Nothing where fewer than two speeds are swept.

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNoise = 1e-3;  // [-]  of the greatest torque: what a record at rest may show
+constexpr double kNoise = 1e-3;  // [-]  of the greatest torque: noise of a record without rotation
 constexpr int kMostBins = 100;   // of torque, and of speed
 
 std::string position_of(const fs::path& file, const RecordTable& table, std::size_t sample) {
@@ -52,8 +52,8 @@ void require_sound(const fs::path& file, const RecordTable& table) {
                     "rising times");
 }
 
-// Numbers by which programs mark missing values, and the power of ten from which a number can be none of a
-// drivetrain. A code counts as one where it stands alone: a load that comes near it is a measured one.
+// Numbers by which programs mark missing values, and the power of ten from which a number cannot belong to a
+// drivetrain. A code counts as one only as an isolated value: a load near it is a measured one.
 constexpr std::array kCodes{-999.0,    -999.25,  -999.9, -9999.0, -9999.25, -9999.9, -99999.0,
                             -999999.0, -32768.0, 9999.0, 99999.0, 999999.0, 32767.0};
 constexpr double kBeyondMeasure = 1e20;  // [unit of the file]
@@ -198,7 +198,7 @@ struct BinSamples {
   double torque(double exponent) const { return std::pow(damage / turns, 1.0 / exponent); }
 };
 
-/// Damage of samples and of the bins that stand for them, for each of kLivesByPower.
+/// Damage of samples and of the bins that represent them, for each of kLivesByPower.
 struct BinExcess {
   std::array<double, kPowers> samples{}, means{};
 
@@ -237,7 +237,7 @@ double duration_of(const LoadSeries& series) {
   return series.time.back() - series.time.front();
 }
 
-/// What the samples that turn are cut into.
+/// Bins of torque and of speed for the samples that rotate.
 struct BinGrid {
   Parts torques;
   Parts speeds;

@@ -1,8 +1,8 @@
 // Records of torque and speed over time, made into a load spectrum by bins of both.
 //
-// A sample lasts until the next one. Of a bin the speed n is the mean over time and the torque T that which
-// does the same damage as all samples of the bin to a bearing whose life goes by T^-p, so that the sums over
-// the bins are those of the record, however wide they are:
+// A sample lasts until the next one. In a bin the speed n is the mean over time and the torque T does the
+// same damage as all samples of the bin to a bearing whose life is proportional to T^-p, so that the sums
+// over the bins are those of the record, however wide they are:
 //
 //   sum of s_i n_i = mean of n over time,      sum of s_i n_i T_i^p = mean of n T^p over time
 //
@@ -81,20 +81,21 @@ double exponent_of_life(const std::string& life);
 BinCounts parse_bins(const std::string& text);
 
 /// A spectrum of bins, record by record, by rising torque, then speed; those without time are left out, time
-/// at rest comes last.
+/// without rotation comes last.
 struct BinnedSeries {
   LoadSpectrum spectrum;
   double duration = 0.0;        // [s]  of all records
   double reversed_share = 0.0;  // [-]  of the time, with torque against the speed or both against their sign:
                                 // counted by magnitude
-  double loaded_rest_share = 0.0;  // [-]  of the time, at rest under a torque, which uses up no life
+  double loaded_rest_share = 0.0;  // [-]  of the time, without rotation under a torque, which uses up no life
   std::array<double, kLivesByPower.size()> excess{};  // [-]  by how much lives by kLivesByPower would come
                                                       // out too long
 };
 
 /// Bins of equal width between the least and the greatest torque and speed of all samples of all records that
-/// turn. Torques and speeds count by their magnitude: a load that turns round presses the same rollers from
-/// the other side. Torques of a bin are averaged by `exponent` [-]. Throws BadInput where nothing ever turns.
+/// rotate. Torques and speeds are taken by their magnitude: a load with reversed sense presses the same
+/// rollers from the other side. Torques of a bin are averaged by `exponent` [-]. Throws BadInput where
+/// nothing ever rotates.
 BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts,
                     double exponent = kLineExponent);
 

@@ -122,7 +122,7 @@ MeshStudy set_study(const ResolvedCase& in) {
   sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift,
                                              rack_of(set, set.sun_heights), sun.stiffness.contact_ratio,
                                              material, set.helix_angle, set.web, planet_rack});
-  // The standard counts the shift of a ring as that of an external gear: positive inward.
+  // The standard takes the shift of a ring as that of an external gear: positive inward.
   ring.standard = gearset::iso6336_stiffness({set.planet_teeth, 0, shift, -set.ring_shift, planet_rack,
                                               ring.stiffness.contact_ratio, material, set.helix_angle,
                                               set.web, rack_of(set, set.ring_heights)});

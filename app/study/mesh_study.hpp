@@ -18,12 +18,12 @@ using analysis::GearCircles;
 using analysis::MeshStudy;
 using analysis::NamedMesh;
 
-/// Of sun, planet and ring, and of the second gear of a stepped planet.
+/// Circles of sun, planet and ring, and of the second gear of a stepped planet.
 std::vector<GearCircles> gear_circles(const gearset::WorkingGeometry& geometry);
 /// The same for `check`, each under `prefix` and its gear's name: "gearset.sun.tip_diameter".
 std::vector<Derived> circle_quantities(const std::string& prefix, const std::vector<GearCircles>& gears);
 
-/// Of a case of the model gear-pair or planetary-drivetrain. Throws BadInput for another model.
+/// Study of a case of the model gear-pair or planetary-drivetrain. Throws BadInput for another model.
 MeshStudy mesh_study(const ResolvedCase& resolved);
 
 /// Meshes of the set of a case of the model planetary-drivetrain, as its members turn at its drive.

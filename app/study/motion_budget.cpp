@@ -41,7 +41,7 @@ MotionWindows windows_of(const ResolvedCase& in) {
   return {in.integer(kObserved), in.integer(kMost), in.quantity(kLengthError)};
 }
 
-// What fails says so when it is computed.
+// Empty where the case fails: the computation itself reports the failure.
 std::vector<MotionWork> work_of(const ResolvedCase& at_point, study::Fidelity fidelity) {
   try {
     return study::motion_work(bearing_sets(at_point), fidelity);
@@ -59,7 +59,7 @@ std::vector<std::vector<MotionWork>> work_of(const ResolvedCase& resolved, study
   return all;
 }
 
-// Points that refine the peak are found on lives at rest in place of those in motion.
+// Expected points that refine the peak, from quasi-static lives instead of those in motion.
 std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const SweepRequest& request) {
   std::vector<SweepPoint> added;
   if (!request.refinement || request.header.shard || request.header.grid() > kMostEstimated) return added;

@@ -15,14 +15,15 @@ namespace orbearing::app {
 /// Estimated times of the points of a sweep in motion, and of those that it will add around the peak.
 struct MotionEstimate {
   std::vector<std::vector<study::MotionWork>> points;  // (points of the request)
-  std::vector<std::vector<study::MotionWork>> added;   // around the peak, as the life at rest has it
+  std::vector<std::vector<study::MotionWork>> added;   // around the peak, by the quasi-static life
   study::MotionWindows stated;
 
   double seconds(const study::MotionWindows& windows) const;            // [s]  of processor time, all points
   std::vector<double> work(const study::MotionWindows& windows) const;  // [s]  (points of the request)
 };
 
-/// None at rest. Points around the peak are left out where those of the request are short, unless `all`.
+/// None for quasi-static sweeps. Points around the peak are left out where those of the request are short,
+/// unless `all`.
 std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
                                               bool all);
 
@@ -40,7 +41,7 @@ struct BudgetedCase {
 std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const MotionEstimate& estimate,
                                           const std::string& budget);
 
-/// Throws BadInput for a fidelity at rest, whose points have no windows.
+/// Throws BadInput for a quasi-static fidelity, whose points have no windows.
 void require_motion_for_budget(const std::string& fidelity);
 /// Throws BadInput for an analysis that is no sweep: the case states how long it lasts.
 [[noreturn]] void refuse_budget(const ResolvedCase& resolved, bool gears_alone);
@@ -49,7 +50,7 @@ void require_motion_for_budget(const std::string& fidelity);
 /// minute.
 std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads);
 
-/// What `check` says of the time of a run in motion; none where there is none.
+/// Quantities of `check` on the time of a run in motion; none where there is none.
 std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

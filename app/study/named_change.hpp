@@ -14,23 +14,23 @@ namespace orbearing::app {
 /// A change to a case, by settings as with --set.
 struct NamedChange {
   std::string name;   // for people
-  std::string group;  // beside which others it stands; of a reading: the key it reads otherwise
-  std::vector<std::string> settings;  // path=value; none: the case as it stands
+  std::string group;  // of changes that are shown together; of a reading: the key it reads otherwise
+  std::vector<std::string> settings;  // path=value; none: the case unchanged
 };
 
-/// What one changed case gives over its speeds.
+/// Results of one changed case over its speeds.
 struct ChangeResult {
   NamedChange change;
   std::vector<double> speed;               // [rad/s]  of the motor
   std::vector<study::PointResult> points;  // a point that failed holds its reason in `status`
 };
 
-/// Where and how changes are compared.
+/// Speeds and fidelity at which changes are compared.
 struct ChangeStudy {
   std::vector<double> speed{};  // [rad/s]  of the motor; none: those of each changed case's own sweep
   study::Fidelity fidelity = study::Fidelity::quasi_static;
   int jobs = 0;  // threads; 0: one for each core
-  /// Of the sets with bearings at one speed; called from several threads.
+  /// Result for the sets with bearings at one speed; called from several threads.
   std::function<study::PointResult(const std::vector<study::NamedSet>&, study::Fidelity)> evaluate =
       [](const std::vector<study::NamedSet>& sets, study::Fidelity level) {
         return study::evaluate(sets, level);
@@ -40,7 +40,7 @@ struct ChangeStudy {
 /// Called when one more change is done, in their order: the first `done` of `results` are whole.
 using ChangesDone = std::function<void(const std::vector<ChangeResult>& results, std::size_t done)>;
 
-/// `changes` after the case as it stands.
+/// `changes` after the unchanged case.
 std::vector<NamedChange> with_reference(const std::vector<NamedChange>& changes);
 
 /// The case with settings such as "pair.teeth=[30, 20]". Throws BadInput.
@@ -57,7 +57,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
 /// Life [h] of one bearing; NaN where the point failed.
 double life_of(const study::PointResult& point);
 
-/// Index of the speed of the longest life; points that failed do not count.
+/// Index of the speed of the longest life; failed points are skipped.
 std::size_t best_point(const ChangeResult& result);
 
 }  // namespace orbearing::app

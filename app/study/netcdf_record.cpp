@@ -110,7 +110,7 @@ class NetcdfFile {
     }
   }
 
-  // What the library fills in where nothing was written.
+  // Value that the library fills in where nothing was written.
   std::optional<double> default_fill(int variable) const {
     nc_type type = NC_NAT;
     nc_inq_vartype(number_, variable, &type);

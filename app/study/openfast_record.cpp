@@ -72,7 +72,7 @@ class OpenfastFile {
 
   template <class Number>
   std::vector<Number> numbers(int count) {
-    // A damaged count asks for more than there is.
+    // A damaged count requests more than there is.
     const std::uintmax_t size = static_cast<std::uintmax_t>(count) * sizeof(Number);
     if (!stream_ || size > bytes_left()) refuse_damaged("an end within its data");
     std::vector<Number> values(static_cast<std::size_t>(count));

@@ -23,7 +23,7 @@ Eigen::Vector2d load_zone_of(const ResolvedCase& in, const study::PlanetaryDrive
   return -study::load_on_bearing(drivetrain, position.planet - 1, position.bearing - 1).normalized();
 }
 
-// None where nothing is scratched. Angles of the case count from the middle of the load zone, those of the
+// None without scratches. Angles of the case are measured from the middle of the load zone, those of the
 // result from outward; those of a roller stay.
 std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in,
                                                           const Eigen::Vector2d& zone) {
@@ -101,7 +101,7 @@ void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
   add("roller_pass_Hz", "a point of a roller over either race", at.bearing.element_pass);
 }
 
-// What one instrument shows.
+// Signal of one instrument.
 struct Instrument {
   const char* key;
   const char* name;  // of its series
@@ -138,7 +138,7 @@ void describe_spectra(Record& record, const Instrument& instrument) {
       "amplitude of the envelope, Hann window");
 }
 
-// Lines that are looked for; of a run-up, whose lines are orders, none.
+// Expected lines that were searched for; of a run-up, whose lines are orders, none.
 void describe_lines(Record& record, const PlanetDefectStudy& study) {
   const std::string name = study.scratched.empty() ? "" : diagnosis::defect_name(study.scratched.front());
   const auto add = [&](const char* key, const char* meaning, const std::vector<diagnosis::NamedPeak>& peaks,

@@ -51,7 +51,7 @@ void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& r
   rows.push_back({path + ".most", kDegree * most, "deg", "between neighbouring planets"});
 }
 
-// Of one planet of a pair and its own meshes; the mesh of both belongs to the second.
+// Quantities of one planet of a pair and its own meshes; the mesh of both belongs to the second.
 void add_planet_of_pair(const study::PlanetaryDrivetrain& drivetrain,
                         const study::DrivetrainGeometry& geometry, std::vector<Derived>& rows) {
   const gearset::PlanetOfPair& planet = *drivetrain.of_pair;
@@ -271,7 +271,7 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
 
 namespace {
 
-// Built where it is first asked for, from any thread: teeth take a while, and each analysis asks again.
+// Built at its first use, from any thread: teeth take a while, and each analysis uses them again.
 std::function<gearset::dynamics::SetParameters()> gears_built_once(
     const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
     const std::optional<study::DrivetrainGeometry>& known = {}) {
@@ -305,7 +305,7 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
   for (const study::NamedSet& set : bearing_sets(resolved)) {
     const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
     if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed ||
-        !drivetrain.rows.is_cylindrical())  // in the balance
+        !drivetrain.rows.is_cylindrical())  // in the equilibrium
       continue;
     const gearset::MeanLoads gears = study::bearing_duty(drivetrain, set.geometry).gears;
     const std::vector<double> positions = study::axial_positions(drivetrain);
@@ -350,7 +350,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
 
 namespace {
 
-// Of planets in pairs, which are taken as two sets that share the power.
+// Names of planets in pairs, which are modelled as two sets that share the power.
 const std::vector<std::string> kPairNames{"first_planet", "second_planet"};
 
 std::vector<study::NamedSet> planets_of_pairs(const ResolvedCase& resolved) {
@@ -460,7 +460,7 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   return rows;
 }
 
-// Of several sets those without a bearing.
+// Quantities of the sets without a bearing, in a case of several sets.
 void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>& rows) {
   if (!resolved.shape().several) return;
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
@@ -485,8 +485,8 @@ double tolerance_grade_7(double size) {
   return 16e-6 * (0.45 * std::cbrt(mm) + 0.001 * mm);
 }
 
-// What uneven load sharing costs: one pin off by js7 at the centre distance. No rows where the case states
-// its errors, or where planets that carry unlike loads are refused.
+// Effect of uneven load sharing: one pin off by js7 at the centre distance. No rows where the case states its
+// errors, or where planets that carry unequal loads are refused.
 void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::vector<Derived>& rows) {
   const std::string path = "gearset.dynamics.pin_error.tangential";
   if (in.shape().several || set.drivetrain.uneven_planets || in.has("gearset.planet_angles") ||
@@ -498,7 +498,7 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
   try {
     const char* tilt = "bearing.tilt_state";
     const bool tilts = in.has(tilt) && in.choice(tilt) == "computed";
-    // The pin stays what it is, though its ends count only where tilts are computed.
+    // The pin remains the same, though its ends have an effect only where tilts are computed.
     const std::string pin = fmt::format("{:.17g} N/m", set.drivetrain.dynamics.support.stiffness);
     const ResolvedCase aligned =
         tilts ? in.with(tilt, std::string("stated")).with("support.stiffness", pin) : in;
@@ -559,7 +559,7 @@ std::vector<Derived> quantities_of_sets(const ResolvedCase& resolved) {
   return rows;
 }
 
-// Of what the parallel stages make of the sets; without them the ratio is that of the sets.
+// Load speed and overall ratio with parallel stages; without them the ratio is that of the sets.
 void add_overall_ratio(const ResolvedCase& resolved, std::vector<Derived>& rows) {
   if (!resolved.shape().several && !resolved.shape().teeth) return;
   const gearset::Arrangement arrangement = arrangement_of(resolved);

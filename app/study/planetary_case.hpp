@@ -27,13 +27,13 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
 /// Names of the sets with bearings where there are several sets; none for a case of one set.
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 
-/// What paths of each set begin with; of a case of one set nothing.
+/// Prefixes of the paths of each set; an empty one for a case of one set.
 std::vector<std::string> prefixes_of_sets(const ResolvedCase& resolved);
 
 /// Cages in motion without a land: nothing but rollers holds them.
 std::vector<std::string> cage_warnings(const ResolvedCase& resolved);
 
-/// What a clearance from the shelf takes for granted: fits or temperatures of which nothing is said.
+/// Assumptions of a clearance before mounting: fits or temperatures that are not stated.
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved);
 
 /// The moment by which helical teeth overturn the planets of sets whose tilt is not computed, and what it
@@ -43,7 +43,7 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved);
 /// Slopes of the lead beside a computed tilt, in which the moment that they make is left out.
 std::vector<std::string> slope_warnings(const ResolvedCase& resolved);
 
-/// What follows from the inputs, for `orbearing check`.
+/// Quantities derived from the inputs, for `orbearing check`.
 std::vector<Derived> derived_quantities(const ResolvedCase& resolved);
 
 /// Speeds, torques and power of every member of a sound case at its operating point, and whether power
@@ -54,7 +54,7 @@ void describe_power(described::Record& record, const ResolvedCase& resolved);
 
 // Loads of the rollers of a planet bearing by position, which drawings of a bearing show.
 
-/// Of one bearing of a set at a case's operating point, quasi-static.
+/// Roller loads of one bearing of a set at a case's operating point, quasi-static.
 struct RollerLoads {
   study::NamedSet set;  // without a name in a case of one set
   study::PointResult point;
@@ -64,7 +64,7 @@ struct RollerLoads {
 /// alone.
 void describe(described::Record& row, const RollerLoads& loads);
 
-/// Of all sets with bearings. Throws std::runtime_error where a bearing has no equilibrium.
+/// Roller loads of all sets with bearings. Throws std::runtime_error where a bearing has no equilibrium.
 std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved);
 
 /// `roller_loads: [{set, angle_deg, inner_load_N, outer_load_N, along_mm, inner_pressure_MPa,

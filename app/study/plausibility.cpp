@@ -47,7 +47,7 @@ void add_motion(const study::NamedSet& set, std::vector<Observation>& found) {
   add_meshes(set.drivetrain.set, set.geometry.gears, loads, found);
 }
 
-// Of a set without a bearing.
+// Observations for a set without a bearing.
 void add_gears_alone(const ResolvedCase& in, std::vector<Observation>& found) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const gearset::WorkingGeometry geometry = gearset::working_geometry(drivetrain.set);
@@ -55,7 +55,7 @@ void add_gears_alone(const ResolvedCase& in, std::vector<Observation>& found) {
              found);
 }
 
-// Of a bearing by itself: the speed of its rings against each other.
+// Observation for a single bearing: the relative speed of its rings.
 void add_single_speed(const ResolvedCase& in, std::vector<Observation>& found) {
   if (!in.has("operation.shaft_speed") || !in.has("bearing.pitch_diameter")) return;
   const double outer = in.has("operation.outer_speed") ? in.quantity("operation.outer_speed") : 0.0;
@@ -76,7 +76,7 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {rating::kLeastViscosityRatio, "where ISO 281 gives no a_ISO and no modified life"},
        {50.0, "much more than lubrication requires: check the oil's viscosity and its unit"},
        {1e-4, 1e4, "check viscosity, temperature, speed and their units"}},
-      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C
+      // [ISO281] holds for P up to 0.5 C; makers' catalogues require a load of 0.01 C (balls) to 0.02 C
       // (rollers).
       {{{"C_over_P"}, "life", "C/P", ""},
        {2.0, "a load above the half of C, for which ISO 281 gives no life"},
@@ -138,7 +138,7 @@ std::string with_unit(double value, const PlausibleRange& range) {
   return range.of.unit.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, range.of.unit);
 }
 
-// Empty for a usual value.
+// Empty for a common value.
 std::string rare_text(const PlausibleRange& range, double value) {
   if (value < range.rare_low.value)
     return fmt::format("{}: {} below {}, {}", range.of.block, range.of.name,
@@ -163,7 +163,7 @@ void collect(const nlohmann::ordered_json& value, const std::string& key, std::v
   for (const auto& [inner, one] : value.items()) collect(one, value.is_object() ? inner : key, found);
 }
 
-// ISO 281 knows neither clearance nor tilt. Empty where the lives by the loads of all elements are not far
+// ISO 281 includes neither clearance nor tilt. Empty where the lives by the loads of all elements are not far
 // shorter.
 std::string uneven_text(const std::vector<Observation>& observed) {
   constexpr double far_shorter = 0.5;

@@ -1,7 +1,7 @@
-// Whether numbers of a result are those of machines that exist: one table of bounds, asked by every analysis.
+// Whether numbers of a result are those of real machines: one table of bounds, which every analysis uses.
 //
-// Two levels. Beyond the first, values are rare: a warning beside them. Beyond the second, no such machine can
-// exist, or a unit was mistaken: the status of the point says so. Its values stay: they are what the inputs give.
+// Two levels. Values beyond the first are rare: a warning. Beyond the second, no such machine can exist, or a
+// unit was mistaken: this is the status of the point. Its values stay: they are the results of the inputs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,7 +19,7 @@ namespace orbearing::app {
 struct PlausibleRange {
   struct {
     std::vector<std::string> keys;  // of --json and columns of sweep.csv, all in this unit
-    std::string block;              // what a warning begins with: the block of the case to look at
+    std::string block;              // begin of a warning: the block of the case to check
     std::string name;
     std::string unit;
   } of;
@@ -48,10 +48,10 @@ struct Judgement {
 /// Judges values; those that are not finite, and keys that no range has, are passed over.
 Judgement judge(const std::vector<Observation>& observed);
 
-/// The values in a result as --json prints it, wherever they stand in it.
+/// The values in a result as --json prints it, at any level.
 std::vector<Observation> observations(const nlohmann::ordered_json& object);
 
-/// What speeds and loads of the case say before any bearing is solved: n_dm, pitch_line_speed_m_s,
+/// Values from speeds and loads of the case before any bearing is solved: n_dm, pitch_line_speed_m_s,
 /// unit_load_MPa, thinnest_rim. Empty for models without them.
 std::vector<Observation> observations(const ResolvedCase& at_point);
 

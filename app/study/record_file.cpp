@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRecords = "a record over time: CSV, .out or .outb of OpenFAST, Bladed, or netCDF";
 
-/// What a record holds, with the unit in which it is kept.
+/// Quantity of a record, with the unit in which it is kept.
 struct Quantity {
   const char* name;
   const char* si;
@@ -79,7 +79,7 @@ double factor_of(const std::string& position, const Quantity& quantity, const st
   return *factor.value;
 }
 
-// Torque and power stand for each other: where the name of one is stated, the other is not looked for.
+// Torque and power replace each other: if the name of one is stated, the other is not searched for.
 bool is_wanted(const Quantity& quantity, const RecordColumns& columns) {
   if (!columns.torque.empty() && quantity.stated == &RecordColumns::power) return false;
   return columns.power.empty() || quantity.stated != &RecordColumns::torque;

@@ -53,7 +53,7 @@ RecordTable read_record(const std::filesystem::path& file, const RecordColumns& 
 
 // Parts of read_record().
 
-/// What a file offers, and how its places are called in a message.
+/// Columns of a file, and the names of their locations in a message.
 struct RecordHeads {
   std::vector<ColumnHead> heads;
   std::string position;                                        // of the heads as a whole

@@ -253,7 +253,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   const FoundPeak found = find_peak(outcome);
   const MissingPoints missing = missing_points(resolved, manifest);
   const PublishedComparison published = published_comparison(slice.at);
-  // What assumptions are worth in this case, as it is.
+  // Effects of assumptions in this case, unchanged.
   ExpectedFile readings = read_expected(shipped_expected(resolved.text("name")));
   readings.published.clear();
   const ValidationTable table = validation_table_of(resolved, readings);

@@ -1,6 +1,5 @@
-// report.json: what the page of a sweep shows besides the points themselves. What only the pictures need
-// (fine curves, loads by place, single effects) the page asks for by itself
-// (python/orbearing/report_data.py).
+// report.json: data of the page of a sweep besides the points themselves. The page requests separately what
+// only figures use: fine curves, loads by position, single effects (python/orbearing/report_data.py).
 #pragma once
 
 #include <filesystem>
@@ -15,11 +14,11 @@
 
 namespace orbearing::app {
 
-// What a report may compare with published numbers: the case as published, at speeds that were computed.
+// Comparison of a report with published numbers: the case as published, at speeds that were computed.
 
 /// The one line of speeds of a sweep with several axes that plots over speed show.
 struct SpeedSlice {
-  ResolvedCase at;                    // the case with the other axes at that place
+  ResolvedCase at;                    // the case with the other axes at that point
   std::vector<std::string> settings;  // which puts it there, as with --set
   nlohmann::ordered_json columns;  // column of the table -> value, one for each other axis; null without any
 };
@@ -39,8 +38,8 @@ PublishedComparison published_comparison(const ResolvedCase& resolved);
 /// choose operating points: speed, sweep, load spectrum.
 std::vector<std::string> changed_inputs(const ResolvedCase& resolved, const ResolvedCase& shipped);
 
-/// Of a sweep whose rows stand in `manifest`. `shown` says of which bearing and at which speeds pictures are
-/// to be, as bearing_points() takes it.
+/// Data of a sweep whose rows are in `manifest`. Its member `shown` has the bearing and the speeds of the
+/// figures, as bearing_points() takes them.
 nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest);
 
 /// Operating points of one bearing under changes of the case, on the gears as the case states them: a change
@@ -54,11 +53,11 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const nlohma
 bool has_gear_report(const ResolvedCase& resolved);
 
 /// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm], of which the page makes its
-/// pictures (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a
-/// run that fails says why in its `status`.
+/// figures (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a run
+/// that fails has the reason in its `status`.
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm);
 
-/// What a folder of results lacks of its sweep: points that a shard leaves to others or that were not
+/// Missing points of a sweep in a folder of results: points that a shard leaves to others or that were not
 /// computed yet.
 struct MissingPoints {
   std::size_t of = 0;               // points of grid and spectrum of the whole sweep
@@ -68,7 +67,7 @@ struct MissingPoints {
   bool none() const { return labels.empty() && !peak_unfinished; }
 };
 
-/// Of the results of a sweep or of one point. Reads `manifest` alone, and computes nothing.
+/// Missing points of a sweep or of one point. Reads only `manifest`, and computes nothing.
 MissingPoints missing_points(const ResolvedCase& resolved, const Manifest& manifest);
 
 /// In a sentence with what to do; empty where nothing is missing.
@@ -77,7 +76,7 @@ std::string missing_text(const MissingPoints& missing, const Manifest& manifest)
 /// {of, found, shard, points, peak_unfinished, text}; null where nothing is missing.
 nlohmann::ordered_json missing_json(const MissingPoints& missing, const Manifest& manifest);
 
-/// A dynamic sweep and the folder it stands in: a branch of steady states over speed.
+/// A dynamic sweep and its folder: a branch of steady states over speed.
 struct Branch {
   std::filesystem::path folder;
   Manifest manifest;

@@ -58,7 +58,7 @@ ResonancesOfLine resonances_by_line(const ResolvedCase& resolved) {
     if (is_new) try {
         position->second = resonances(line.empty() ? in : in.with(line), ends.min, ends.max);
       } catch (
-          const std::exception&) {  // a line on which the gears cannot be computed has points that say why
+          const std::exception&) {  // a line on which the gears cannot be computed has points with the reason
       }
     return position->second;
   };

@@ -18,8 +18,8 @@ namespace orbearing::app {
 diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm);
 
 /// Resonances that the meshes excite between two speeds [rpm] and half as much beyond, ascending. Found by
-/// the modes at fixed speeds, of which those are left out at which the bearings find no balance. The case
-/// without its sweep.
+/// the modes at fixed speeds, except speeds at which the bearings have no equilibrium. The case without its
+/// sweep.
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm);
 
 /// The one nearest to a speed [rad/s]; none where none is within a factor of one and a half.
@@ -28,8 +28,8 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
 /// Speeds [rpm] of the sweep; the case's own where none are swept.
 std::vector<double> speeds_rpm(const ResolvedCase& resolved);
 
-/// Resonances of the line of speeds on which the point lies that settings make, of each line found when first
-/// asked for. One thread at a time.
+/// Resonances of the line of speeds that contains the point by these settings; those of each line are
+/// computed at their first use. One thread at a time.
 using ResonancesOfLine = std::function<const std::vector<Resonance>&(const std::vector<Setting>&)>;
 ResonancesOfLine resonances_by_line(const ResolvedCase& resolved);
 

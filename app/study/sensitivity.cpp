@@ -42,7 +42,7 @@ std::string life_cell(double life) {
   return std::isnan(life) ? "failed" : fmt::format("{:.0f}", life);
 }
 
-// At the best speed of the case as it stands [h]; NaN where either failed.
+// Difference at the best speed of the unchanged case [h]; NaN where either failed.
 double gain_at_best(const ChangeResult& reference, const ChangeResult& result) {
   const std::size_t at = best_point(reference);
   return life_of(result.points[at]) - life_of(reference.points[at]);
@@ -76,7 +76,7 @@ std::optional<ResolvedCase> simplified(const ResolvedCase& in) {
 double life_at_rest(const ScalarResult& life, const ResolvedCase& in) {
   try {
     return life.compute(in).number;
-  } catch (const std::exception&) {  // check tells that elsewhere, or it is no case
+  } catch (const std::exception&) {  // check reports it elsewhere, or the values form no case
     return std::numeric_limits<double>::quiet_NaN();
   }
 }
@@ -89,7 +89,8 @@ bool is_estimate(const ResolvedCase& in, const Input& input, const ScalarResult&
          use_status_in_row(in, input, life.analysis) == UseStatus::used;
 }
 
-/// Of the life, by more of one number; NaN where another input decides it or there is no such case.
+/// Effect on the life of a 10 % larger number; NaN where another input determines it or there is no such
+/// case.
 double effect_of_more(const ResolvedCase& in, const std::string& path, const ScalarResult& life,
                       double here) {
   const double more = (1.0 + kMore) * in.value(path).number;
@@ -160,7 +161,8 @@ constexpr double kMovesALife = 0.01;  // [-]
 
 using Lives = std::vector<std::pair<std::string, double>>;  // names, hours or revolutions
 
-// Of one bearing at rest, of several sets of the one that results go by; none where there is no such result.
+// Lives of one bearing, quasi-static; of several sets those of the governing one; none where there is no such
+// result.
 Lives lives_at_rest(const ResolvedCase& in) {
   try {
     if (in.model() == planetary_drivetrain) {
@@ -183,7 +185,7 @@ Lives lives_at_rest(const ResolvedCase& in) {
     }
     return lives;
   } catch (const BadInput&) {
-  } catch (const std::runtime_error&) {  // its run says that
+  } catch (const std::runtime_error&) {  // its run reports it
   } catch (const std::logic_error&) {
   }
   return {};
@@ -226,8 +228,8 @@ std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Inp
   return others;
 }
 
-// What is left out is no estimate: the meaning of the power and of L10, what results go by, printed ratings,
-// and effects that take seconds or are another machine.
+// Inputs that are left out are no estimates: the meaning of the power and of L10, the governing life,
+// catalogue ratings, and effects that take seconds or are another machine.
 bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
@@ -296,7 +298,7 @@ LifeCurve life_curve(const ChangeResult& result) {
   LifeCurve curve;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     const study::PointResult& point = result.points[i];
-    if (!is_computed(point.status)) continue;  // the sweep tells why
+    if (!is_computed(point.status)) continue;  // the sweep reports the reason
     curve.speed_rpm.push_back(in_table_unit(result.speed[i], 1.0 / kRadiansPerSecond));
     curve.life_h.push_back(study::governing_hours(point));
     curve.roller_load_rms.push_back(point.outer.load_rms);

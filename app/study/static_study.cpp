@@ -32,7 +32,7 @@ namespace equilibrium = bearing::equilibrium;
 namespace rating = bearing::rating;
 using bearing::Race;
 
-// Races of balls that move bear unlike loads.
+// Races of balls in motion carry different loads.
 bool balls_move(const equilibrium::RingState& state) {
   return state.outer_load.size() > 0;
 }
@@ -94,7 +94,7 @@ void describe_elements(Record& record, const StaticStudy& study) {
         .variable = "lamina_load";
 }
 
-// What the table of a sweep has columns for.
+// Values of each race that have columns in the table of a sweep.
 void describe_races(Record& record, const StaticStudy& study) {
   const auto of_race = [&](const std::string& race, const Eigen::ArrayXd& loads, double life) {
     record.value(race + "_load_max_N", dimension::force, "largest load of an element", loads.maxCoeff())
@@ -144,14 +144,14 @@ void describe_race(Record& record, const bearing::PointContact& contact) {
 // Constants of contacts have units of their own: N/mm^(10/9) and N/mm^(3/2).
 constexpr double kPerMetre = 1e3;  // [mm/m]
 
-// What both kinds of elements have.
+// Values of both kinds of elements.
 struct ElementSteps {
   Eigen::ArrayXd approach;  // [m]  (elements)
   Eigen::ArrayXd inner_equivalent,
       outer_equivalent;  // [N]  (laminae), the stress riser in them; of balls one
 };
 
-// Of rollers cut into laminae: Eq. (6) of bearing/equilibrium/README.md, Eqs. (4) and (5) of
+// Rollers cut into laminae: Eq. (6) of bearing/equilibrium/README.md, Eqs. (4) and (5) of
 // bearing/life/README.md.
 ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::RollerRow& row) {
   constexpr described::Dimension line_constant{"contact constant", "1", "N/mm^(10/9)", ""};
@@ -184,7 +184,7 @@ ElementSteps describe_row(Record& record, const StaticStudy& study, const equili
           rating::equivalent_lamina_loads(stressed, motions.outer)};
 }
 
-// Of balls: Eqs. (7) and (8) of bearing/equilibrium/README.md.
+// Balls: Eqs. (7) and (8) of bearing/equilibrium/README.md.
 ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::BallRow& row) {
   constexpr described::Dimension point_constant{"contact constant", "1", "N/mm^(3/2)", ""};
   const equilibrium::RingPosition position = equilibrium::position_of(study.state, row.lever());
@@ -306,8 +306,8 @@ std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
   return rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
 }
 
-// Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are
-// theirs.
+// Life by Lundberg and Palmgren: for rollers from their capacities, lamina by lamina; for balls the life of
+// [ISO16281], which uses the same capacities.
 bearing::BearingLife lundberg_palmgren(const StaticStudy& study) {
   if (!study.bearing.has_rollers()) return study.lives.reference;
   return bearing::life::lamina_life(bearing::life::lamina_rating(study.bearing, study.reduction_factor),
@@ -415,7 +415,7 @@ void rate(const ResolvedCase& in, StaticStudy& study) {
   warn(in, study);
 }
 
-// What hangs on the position of the cage, by keys of the result.
+// Results that depend on the position of the cage, by their keys.
 std::vector<std::pair<std::string, double>> results_by_position(const StaticStudy& study) {
   const LifeValue lives = value_by_name(study.all_lives());
   std::vector<std::pair<std::string, double>> found{
@@ -511,8 +511,8 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
 
 namespace {
 
-// Of both planes. Where load and elements are mirrored in that of the radial load, nothing moves across it,
-// and what moves along it keeps its sign.
+// Resultant of both planes. Where load and elements are symmetric about the plane of the radial load, the
+// component across it is zero, and the one along it keeps its sign.
 double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
 }

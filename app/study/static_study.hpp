@@ -15,9 +15,9 @@
 
 namespace orbearing::app {
 
-// What comes out of one bearing under a static load.
+// Results of one bearing under a static load.
 
-/// Of one result, in the unit that its name ends in, over the positions of the cage in a pitch.
+/// Range of one result, in the unit that its name ends in, over the positions of the cage in a pitch.
 struct PositionRange {
   std::string result;
   double least = 0.0, most = 0.0;
@@ -50,20 +50,20 @@ struct StaticStudy {
 
 void describe(described::Record& record, const StaticStudy& study);
 
-// Factors of the life of the bearing of a case, and what `orbearing check` tells of its ratings.
+// Factors of the life of the bearing of a case, and its ratings for `orbearing check`.
 
-/// P, P_0, oil and a_1 of a single bearing, at rest or in time. Throws BadInput where kappa is below the
+/// P, P_0, oil and a_1 of a single bearing, quasi-static or in time. Throws BadInput where kappa is below the
 /// range of a_ISO.
 bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved,
                                                      const bearing::Bearing& bearing);
 
-/// What follows from the inputs, for `orbearing check`.
+/// Quantities derived from the inputs, for `orbearing check`.
 std::vector<Derived> static_quantities(const ResolvedCase& resolved);
 
 /// Whether a case is that of one bearing under a static load.
 bool is_static_bearing(const ResolvedCase& resolved);
 
-/// Throws ComputationFailed where no balance is found, BadInput for another model.
+/// Throws ComputationFailed where no equilibrium is found, BadInput for another model.
 StaticStudy static_study(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -276,7 +276,7 @@ double displaced(const StiffnessPoint& point, std::size_t axis) {
   return point.displacement[static_cast<Eigen::Index>(axis)];
 }
 
-// A worksheet of the oldest kind that readers still know: a stream of records, no container around it.
+// A worksheet of the oldest format that readers still support: a stream of records, no container around it.
 class Worksheet {
  public:
   Worksheet() { record(0x0409, {0x0000, 0x0010, 0x0000}); }  // BOF: a sheet

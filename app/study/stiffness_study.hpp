@@ -13,13 +13,13 @@
 
 namespace orbearing::app {
 
-/// One balance. Order x, y, z, tilt about x, tilt about y; SI.
+/// One equilibrium. Order x, y, z, tilt about x, tilt about y; SI.
 struct StiffnessPoint {
   double speed = 0.0;  // [rad/s]  of the inner ring, of rollers 0: they rest; of a drivetrain, its input
   std::vector<std::pair<std::string, double>> load{};  // by name with unit, on the ring that moves
   std::size_t series = 0;  // points of one series differ by speed alone, or are one sweep
   std::string set{};       // of several sets, whose planet bearing
-  std::optional<bearing::equilibrium::RingStiffness> stiffness{};  // none: no balance
+  std::optional<bearing::equilibrium::RingStiffness> stiffness{};  // none: no equilibrium
   bearing::equilibrium::RingDisplacement displacement = bearing::equilibrium::RingDisplacement::Zero();
   std::optional<double> largest_pressure{};  // [Pa]  of a single bearing, after Hertz
   std::string status = "ok";                 // or why there is none
@@ -37,11 +37,11 @@ struct StiffnessStudy {
 
 void describe(described::Record& record, const StiffnessStudy& study);
 
-/// Of a single bearing: the inner ring against the outer one, x along the radial load, at each of
-/// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. Of a
+/// Stiffness of a single bearing: the inner ring against the outer one, x along the radial load, at each of
+/// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. For a
 /// drivetrain: the bore of one planet bearing against its pin, x outward from the sun, y along the carrier's
 /// rotation, at the points of its sweep; rollers and cage at their kinematic speeds, mean over the cage
-/// angles. Of a duplex pair: the shaft about its mass centre, at each of `operation.speeds`. Throws BadInput
+/// angles. For a duplex pair: the shaft about its mass centre, at each of `operation.speeds`. Throws BadInput
 /// for a case without a bearing.
 StiffnessStudy stiffness_study(const ResolvedCase& resolved);
 

@@ -69,7 +69,7 @@ Setting entering_power(const LoadBin& bin) {
   return {kPowerPath, fmt::format("{} W", bin.entering_power()), bin.entering_power()};
 }
 
-// It has next to no power and next to endless life, which nobody has mistaken.
+// An idle bin has next to no power and next to endless life, which is no mistake.
 bool is_idle_bin(const std::vector<Setting>& settings) {
   return std::find(settings.begin(), settings.end(), entering_power(LoadBin{})) != settings.end();
 }

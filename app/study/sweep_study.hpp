@@ -26,11 +26,11 @@ SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> setti
 study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
                                  study::Fidelity fidelity);
 
-/// What the manifest of `resolved` says first, for `points` points computed as `fidelity` names.
+/// Header of the manifest of `resolved`, for `points` points computed as `fidelity` names.
 ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& fidelity,
                                std::size_t points = 1);
 
-/// How a swept field other than input.speed stands in the table: in its customary unit, or as a plain number;
+/// Column of a swept field other than input.speed in the table: in its customary unit, or as a plain number;
 /// and its value in the case.
 SweptAxis axis_column(const std::string& path);
 double axis_value(const ResolvedCase& resolved, const std::string& path);

@@ -39,7 +39,7 @@ std::vector<const ResultRow*> rows_of(const SweepOutcome& outcome, bool idle) {
   return rows;
 }
 
-// What speed and power say at the slowest and the fastest point.
+// Observations from speed and power at the slowest and the fastest point.
 std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const ResultRow& row : outcome.rows) {
@@ -73,8 +73,8 @@ void warn_where(const SweepOutcome& outcome, const std::string& text,
                                    value_of(outcome.head, *found.front(), "input_speed_rpm")));
 }
 
-// Where a profile or a tilt is resolved by so few that they hardly show it; then where ISO/TS 16281 has no
-// lives of so few.
+// Warns of too few laminae to resolve a profile or a tilt; then of fewer than ISO/TS 16281 requires for its
+// lives.
 void warn_of_few_laminae(const ResolvedCase& resolved, Texts& warnings) {
   constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
   constexpr int least = bearing::rating::kLeastRatedLaminae;
@@ -120,7 +120,7 @@ void warn_of_soft_rims(const ResolvedCase& resolved, const SweepOutcome& outcome
                         "modulus of its material",
                         sets.size() > 1 ? set_prefix(set.name) : "",
                         set.drivetrain.drive.speed * 30.0 / std::numbers::pi, 100.0 * gain));
-    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row says
+    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row reports
     }
 }
 
@@ -175,7 +175,7 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
 
 constexpr double kOtherLife = 0.1;  // [-]  of the set's own life
 
-// What the carrier as a body says of the lives beside it, and where it is none.
+// Compares the lives with those of the carrier as a body; warns where the carrier is not modelled so.
 void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
   const std::string stated = "gearset.carrier.bearing_positions";
   if (!resolved.has(stated)) return;

@@ -9,8 +9,8 @@
 
 namespace orbearing::app {
 
-/// Warnings of the gears, on inputs without effect, on the peak, on contacts beyond what steel stands and on
-/// motions that did not settle; each names its place.
+/// Warnings of the gears, on inputs without effect, on the peak, on contacts beyond the limits of steel and
+/// on motions that did not settle; each names its location.
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found);
 

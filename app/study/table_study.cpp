@@ -186,8 +186,8 @@ ResolvedCase over_box(const ResolvedCase& resolved, const std::vector<std::strin
   });
 }
 
-// A table in progress. Rows of a resumed folder are gone through again, so that each round follows from the
-// same rows as in an undisturbed run.
+// A table in progress. Rows of a resumed folder are processed again, so that each round follows from the same
+// rows as in an undisturbed run.
 struct TableStudy::State {
   ResolvedCase resolved;
   TabulatedCase table;
@@ -225,7 +225,7 @@ std::vector<double> TableStudy::State::tabulated(const TableHead& head, const Re
   return values;
 }
 
-// The first points tell how each result is tabulated, and its scatter.
+// The first points determine how each result is tabulated, and its scatter.
 void TableStudy::State::begin(const TableHead& head, const std::vector<ResultRow>& rows) {
   for (TabulatedResult& result : table.results) {
     result.by_logarithm = result.unit != "1";
@@ -275,7 +275,7 @@ std::vector<SweepPoint> TableStudy::State::next(const TableHead& head, const std
   return points;
 }
 
-// Of the check points that no cell has used.
+// Errors at the check points that no cell has used.
 void TableStudy::State::measure(const TableHead& head, const std::vector<ResultRow>& rows) {
   table.table = builder->table();
   for (std::size_t r = 0; r < table.results.size(); ++r) {

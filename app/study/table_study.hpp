@@ -1,5 +1,5 @@
 // Results of a case tabulated over some of its inputs (coupling/study/result_table.hpp), the file that holds
-// them, and what they answer.
+// them, and their interpolation.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ struct TabulatedResult {
   bool by_logarithm = false;
   double scale =
       1.0;  // [unit]  of errors that are not by logarithm: the largest magnitude of the first points
-  // Of the independent check points in cells within the bound: errors over the value, or over `scale`.
+  // Errors at the independent check points in cells within the bound: divided by the value, or by `scale`.
   double largest_error = 0.0, mean_error = 0.0;
   double within_bound_share = 1.0, within_stated_share = 1.0;
 
@@ -68,7 +68,7 @@ struct TableChoice {
   std::vector<std::string> over;     // PATH=FROM..TO; none: the ranges of the case's sweep
   std::vector<std::string> results;  // none: the life that results go by
   double bound = 0.01;               // [-]
-  std::size_t points = 0;            // at most; 0: the default of points at rest
+  std::size_t points = 0;            // at most; 0: the default of quasi-static points
 };
 
 /// The case whose sweep has the two ends of each input. Throws BadInput.
@@ -80,9 +80,9 @@ class TableStudy {
   /// Throws BadInput as sweep_request(), and where ends, results or the number of points do not fit.
   TableStudy(const ResolvedCase& resolved, const std::string& fidelity, const TableChoice& choice);
 
-  /// What run_sweep() has to compute; shares the state of this study.
+  /// Computation for run_sweep(); shares the state of this study.
   SweepRequest request() const;
-  /// Once that is done.
+  /// Table after that computation.
   TabulatedCase result(const SweepOutcome& outcome) const;
 
  private:

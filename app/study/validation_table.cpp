@@ -25,7 +25,7 @@ namespace {
 
 const boost::math::normal standard_normal;
 
-// In [0, 1), alike on every machine, which the standard library's distributions are not.
+// In [0, 1), equal on every machine, unlike the standard library's distributions.
 double uniform_draw(std::mt19937_64& generator) {
   return std::ldexp(static_cast<double>(generator() >> 11), -53);
 }
@@ -85,7 +85,7 @@ namespace dimension = described::dimension;
 
 namespace {
 
-// Where a tolerance is zero, a number printed to a few digits still is a decimal fraction.
+// Round-off of a printed decimal fraction, for a tolerance of zero.
 constexpr double kRoundOff = 1e-9;
 
 std::string verdict_of(const ValidationRow& row) {
@@ -201,7 +201,7 @@ std::string other_readings_text(const ValidationTable& table) {
   return text;
 }
 
-// Of the case as it stands, at its peak.
+// Derivative for the unchanged case at its peak.
 std::string by_unit_text(const Sensitivity& one) {
   if (!one.derivative) return "-";
   const std::string unit = one.derivative->unit == "1" ? "" : "/" + one.derivative->unit;
@@ -427,7 +427,7 @@ class RowsOfCase {
   }
 
  private:
-  // Of a row that compares two variants: their ratio, or whether the first is the larger one.
+  // Result of a row that compares two variants: their ratio, or whether the first is the larger one.
   OurNumber compared(const PublishedValue& row, const OurNumber& number) const {
     if (row.against.empty()) return number;
     const OurNumber other =
@@ -442,7 +442,7 @@ class RowsOfCase {
   std::map<const PublishedValue*, ValidationRow> rows_;
 };
 
-// What the other readings of a drivetrain's case make of its life curve.
+// Effects of the other readings of a drivetrain's case on its life curve.
 void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs,
                         ValidationTable& table) {
   const std::vector<ChangeResult> results =

@@ -22,7 +22,7 @@ namespace orbearing::app {
 std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples,
                                                    std::uint64_t seed);
 
-/// Where our number lies when the case's uncertain inputs take their distributions.
+/// Distribution of our number when the case's uncertain inputs take their distributions.
 struct ValidationBand {
   double low_90 = 0.0, low_50 = 0.0, high_50 = 0.0, high_90 = 0.0;  // ends of the middle 90 % and 50 %
   int samples = 0;                                                  // that gave a number
@@ -32,7 +32,7 @@ struct ValidationBand {
 /// One comparison. `deviation` is relative.
 struct ValidationRow {
   PublishedValue published;
-  std::string reading;  // settings of the case; empty: the case as it stands
+  std::string reading;  // settings of the case; empty: the unchanged case
   std::optional<double> ours;
   std::optional<double> deviation;
   std::string unit{};   // of the numbers; empty: not known
@@ -42,7 +42,7 @@ struct ValidationRow {
   bool is_trend() const { return published.is_trend(); }
 };
 
-/// All that `orbearing validate` says about one case.
+/// Results of `orbearing validate` for one case.
 struct ValidationTable {
   std::string case_name;
   std::vector<ValidationRow> rows;            // each published value once
@@ -50,8 +50,8 @@ struct ValidationTable {
   std::vector<Sensitivity> sensitivities;
 };
 
-/// How many values were compared, however many rows and cases they stand in: rows of one source, one value
-/// and one set of settings are one. Values that are remembered, and formulas and what we recompute, are none
+/// Number of values compared, whatever the number of rows and cases that contain them: rows of one source,
+/// one value and one set of settings count once. Remembered values, formulas and recomputed values are none
 /// of the published ones.
 struct ValidationCount {
   std::map<std::string, std::map<std::string, int>>
@@ -63,19 +63,19 @@ struct ValidationCount {
   int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
-  int lines_of_one_formula = 0;  // of passing elements, beyond the one that counts of each bearing
+  int lines_of_one_formula = 0;  // of passing elements, besides the one that counts for each bearing
   int sources = 0;               // of `published`
   int comparisons_under_other_readings = 0;
 };
 
-/// What a command prints with --json for a case at a fidelity. Throws BadInput and ComputationFailed.
+/// Output of a command with --json for a case at a fidelity. Throws BadInput and ComputationFailed.
 using ResultOf = std::function<nlohmann::ordered_json(const std::string& command, const std::string& fidelity,
                                                       const ResolvedCase& resolved)>;
 
 struct ValidationOptions {
   int jobs = 0;          // threads for the other readings; 0: one for each core
   ResultOf result_of{};  // none: rows of the quantity COMMAND:/json/pointer are left out
-  int samples = 0;       // of the uncertain inputs, for the bands of rows that somebody measured; 0: no bands
+  int samples = 0;       // of the uncertain inputs, for the bands of measured rows; 0: no bands
   std::uint64_t seed = 1;
 };
 

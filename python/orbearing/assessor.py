@@ -61,7 +61,7 @@ LARGER_IS_WORSE = ("contact_pressure_max_MPa", "largest_load_share")
 # Columns of the worst bearing over a revolution of the carrier that are no lives.
 WORST_BY_CARRIER = {"P0_N": ("carrier_P0_N",), "S0": ("carrier_S0",), "contact_pressure_max_MPa": ("carrier_contact_pressure_max_MPa",),
                     "largest_load_share": ("carrier_K_gamma",)}
-# Of the bins of a spectrum the worst is shown; other quantities belong to one bin.
+# For bins of a spectrum the worst is shown; other quantities belong to one bin.
 WORST_OF_BINS = ("S0", "contact_pressure_max_MPa", "kappa", "largest_load_share")
 
 

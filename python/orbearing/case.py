@@ -278,7 +278,7 @@ class Case:
 
     def _replace_setting(self, path: str, value) -> None:
         text = _NOTHING if value is None else _as_text(_path(path), value)
-        # What stood within a block that is replaced would be put into the new one otherwise.
+        # A former setting within a block that is replaced would otherwise be put into the new one.
         kept = [one for one in self._settings if one[0] != path and not one[0].startswith(path + ".")]
         self._settings = [*kept, (path, text)]
 

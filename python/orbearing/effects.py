@@ -59,7 +59,7 @@ OIL = (
     Effect("oil", "contact.lubrication", "mixed", "mixed lubrication", "full", "no mixed lubrication"),
     Effect("oil", "bearing.cage.pocket_film", "hydrodynamic", "film in the pockets", "none", "no film in the pockets"),
 )
-# What the source prints and the default replaces.
+# Formulas that the source prints and the default replaces.
 AS_PUBLISHED = (
     Effect("as printed", "film.approach", "as-printed", "film subtracted, as printed", "added", "", needs="film.enabled"),
     Effect("as printed", "contact.damping_law", "as-printed", "damping as printed", "approach-speed", ""),

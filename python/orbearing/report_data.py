@@ -56,7 +56,7 @@ class Program:
         numbers = {path for path in assumed if is_number(record(inputs.get(path)).get("value"))}
         if not numbers:
             return {}
-        # Of all inputs, since those without effect on the result are refused where they are named.
+        # Requested for all inputs, since those without effect on the result are refused where they are named.
         found = self._ask("sensitivities", self._folder / "case.resolved.yaml", **({"result": result} if result else {}))
         return {**found, "inputs": [row for row in records(found.get("inputs")) if row.get("path") in numbers]}
 

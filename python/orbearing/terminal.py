@@ -109,7 +109,7 @@ class _StandardError:
         try:
             call()
         except (OSError, ValueError):
-            # What is left in the buffer would be written once more at the end, and fail there.
+            # The rest of the buffer would be written once more at the end, and fail there.
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
 
     def __getattr__(self, name: str):
@@ -140,7 +140,7 @@ def finished(command: Callable[[], int]) -> int:
 
 def _not_printed(error: OSError, code: int) -> int:
     print(f"standard output: cannot be written: {error.strerror}; make room, then give the command again", file=sys.stderr)
-    # What is left in the buffer would be written once more at the end.
+    # The rest of the buffer would be written once more at the end.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return code or 1
 

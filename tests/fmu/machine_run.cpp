@@ -1,4 +1,4 @@
-// What is inside an FMU without any interface: reads the numbers of the model and, from standard input, one
+// The model inside an FMU without any interface: reads the numbers of the model and, from standard input, one
 // line of inputs for each step (step size first; a bearing's may end with the slopes of both velocities);
 // prints the outputs after each. For comparison with FMPy.
 //
@@ -42,7 +42,7 @@ bearing::motion::BoreMotion motion_of(const std::vector<double>& in) {
   return motion;
 }
 
-// Displacement and carrier speed go on with the rates beside them.
+// Displacement and carrier speed continue with the rates beside them.
 system::BoreInputs polynomial_of(const std::vector<double>& in) {
   const double slope_x = in.size() > 9 ? in[8] : 0.0, slope_y = in.size() > 9 ? in[9] : 0.0;
   return {{{in[1], in[3], 0.5 * slope_x, 0.0}}, {{in[2], in[4], 0.5 * slope_y, 0.0}},

@@ -1,5 +1,5 @@
-// Points at rest of a case that states the bearings of its carrier: lives of the bearings over a revolution
-// are those of the plane where nothing sags or tilts, and hold on finer steps.
+// Quasi-static points of a case that states the bearings of its carrier: lives of the bearings over a
+// revolution are those of the plane where nothing deflects or tilts, and hold on finer steps.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ CarrierRevolution revolution_of(const ResolvedCase& in, const study::RevolutionO
   return study::carrier_revolution(set.drivetrain, set.geometry, options);
 }
 
-// Spur gears, no weight, no clearance, no rotor: all bearings carry what the plane says, all the time.
+// Spur gears, no weight, no clearance, no rotor: all bearings carry the loads of the plane model, all the
+// time.
 TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
   for (const bool cut : {false, true}) {
     std::vector<std::string> settings{"gearset.carrier.gravity=0 m/s2"};
@@ -51,9 +52,9 @@ TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
   }
 }
 
-// Where nothing sags, bearings on a pin that bends share its load as in the plane, whose rollers are no
-// linear springs: the shortest life within a fifth, the largest load within 6 %. Each on its own spring they
-// would carry alike.
+// Without weight, bearings on a bending pin share its load as in the plane, whose rollers are nonlinear
+// springs: the shortest life within a fifth, the largest load within 6 %. With a separate spring for each
+// they would carry equal loads.
 TEST(CarrierPoint, BearingsOnAPinThatBendsShareAsInThePlane) {
   for (const int bearings : {3, 4}) {
     const ResolvedCase in = case_of(
@@ -83,8 +84,7 @@ const std::vector<std::string> kSagging{"gearset.carrier.bearing_clearance=[80 u
                                         "gearset.carrier.rotor_force=[0 N, -2000 N, 0 N]",
                                         "gearset.carrier.rotor_moment=[150 N.m, 0 N.m]"};
 
-// Planets at equal steps are asked for one step; errors of the pins that are none ask for the whole
-// revolution.
+// Planets at equal steps require one step; pin errors of zero require the whole revolution.
 TEST(CarrierPoint, PlanetsThatAreAlikeMeetTheSameLoadsInTurn) {
   const ResolvedCase in = case_of("reducer_150kW", kSagging);
   const study::NamedSet set = bearing_sets(in).front();
@@ -103,7 +103,7 @@ TEST(CarrierPoint, PlanetsThatAreAlikeMeetTheSameLoadsInTurn) {
     EXPECT_EQ(alike.bearings[b].planet, each.bearings[b].planet);
     EXPECT_NEAR(alike.bearings[b].position, each.bearings[b].position, 1e-12);
     EXPECT_NEAR(alike.bearings[b].rated_hours.basic / each.bearings[b].rated_hours.basic, 1.0, 1e-6);
-    // Rollers are computed at some angles, at other ones of the unlike planets.
+    // Rollers are computed at some angles, at other ones for the unequal planets.
     EXPECT_NEAR(alike.bearings[b].life_hours / each.bearings[b].life_hours, 1.0, 1e-3);
   }
   for (std::size_t m = 0; m < each.meshes.size(); ++m) {

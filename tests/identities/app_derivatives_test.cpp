@@ -1,5 +1,5 @@
-// Issue 45, Build 6: derivatives by differences against those of forward differentiation through the
-// equilibrium and the implicit function theorem, by which the program computed them before.
+// Derivatives by differences against those of forward differentiation through the equilibrium and the
+// implicit function theorem, by which the program computed them before.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -17,10 +17,10 @@
 namespace orbearing::app::app_derivatives_test {
 namespace {
 
-// Of the change of ln of the life by the number's own size (or its customary unit where it is zero): four
-// digits, which the issue requires.
+// Tolerance of the change of ln of the life by the number's own size (or its customary unit where it is
+// zero): four digits.
 constexpr double kFourDigits = 5e-5;
-// What the former derivatives left, by their own estimate.
+// Error of the former derivatives, by their own estimate.
 constexpr double kFormer = 1e-7;
 
 struct Row {
@@ -55,7 +55,7 @@ Derivatives by_inputs(const Group& group, const std::vector<Row>& rows) {
       read_point(ORBEARING_SOURCE_DIR "/cases/" + group.first + "/case.yaml", split(group.second));
   DerivativeOptions options;
   for (const Row& row : rows) options.paths.push_back(row.input.substr(0, row.input.find('[')));
-  // Of one bearing; the carrier as a body has lives of its own.
+  // Life of one bearing; the carrier as a body has lives of its own.
   const bool planets = in.model() == planetary_drivetrain;
   const ScalarResult life = scalar_result(
       in, "", planets ? governing_life_key(in) : bearing::rating::revolutions_key(governing_life(in)));

@@ -1,5 +1,5 @@
-// Issue 16, Build 8: a full complement of rollers and a planet without rings run in every rung, as the
-// participant that an FMU holds, and go on from where they stood.
+// A full complement of rollers and a planet without rings run at every fidelity, as the participant in an
+// FMU, and continue from a saved state.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace {
 using study::Fidelity;
 using study::PointResult;
 
-// On the pin and in the bore of two planets; few windows and coarse steps, since it is asked whether they
-// run.
+// On the pin and in the bore of two planets; few windows and coarse steps, since only the completion of the
+// run is tested.
 std::string planet(const std::string& bearing) {
   return R"(name: planet
 source: a catalogue
@@ -54,7 +54,8 @@ class EveryRung : public testing::TestWithParam<Rung> {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     return study::evaluate(set.drivetrain, set.geometry, GetParam().fidelity);
   }
-  // Rollers in motion carry what they carry at rest but for traction and what `shaken` allows for vibration.
+  // Rollers in motion carry the quasi-static loads but for traction and the share that `shaken` allows for
+  // vibration.
   void expect_loads_at_rest(const std::string& bearing, const PointResult& moving, double shaken) const {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     const PointResult still = study::evaluate(set.drivetrain, set.geometry);
@@ -100,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Rungs, EveryRung,
                                          Rung{"monolithic", Fidelity::monolithic}),
                          [](const testing::TestParamInfo<Rung>& rung) { return rung.param.name; });
 
-// What an FMU holds: outputs name no cage, and a state that was saved goes on to the same bits.
+// Participant in an FMU: outputs name no cage, and a saved state continues to the same bits.
 TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
   const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
   system::DrivenBearing bearing(study::driven_bearing_setup(set.drivetrain, set.geometry));
@@ -129,7 +130,7 @@ TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
       << "a third of a turn after the start";
 }
 
-// Issue 49, Build 4: it moves with its gears, of which such a state has nothing.
+// Such a state has no gears, but the bearing moves with them.
 TEST(FullComplementStart, IsRefused) {
   const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
   EXPECT_REFUSED(std::invalid_argument, "full_complement 1",

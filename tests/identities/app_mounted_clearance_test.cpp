@@ -1,5 +1,5 @@
-// The clearance that follows from fits, temperatures and speed is felt like a stated one, at every speed and
-// in every study.
+// The clearance that follows from fits, temperatures and speed has the same effect as a stated one, at every
+// speed and in every study.
 #include <gtest/gtest.h>
 
 #include "app/case/case_file.hpp"
@@ -84,7 +84,7 @@ TEST(StudyMountedClearance, IsThatOfEachPointOfACrownStudy) {
   EXPECT_NEAR(mounted, plain, 1e-9 * plain);
 }
 
-// What makes the clearance is felt by all that feels a clearance, and is described so.
+// Inputs that determine the clearance affect every analysis that the clearance affects, and are described so.
 TEST(StudyMountedClearance, IsMadeByTheSeats) {
   for (const char* seat :
        {"bearing.bore=24 mm", "material.youngs_modulus=150 GPa", "material.poisson_ratio=0.25"}) {

@@ -1,6 +1,6 @@
-// Is the steady motion of a planet bearing periodic over a roller passage, the time in which the cage turns
-// by one pocket and after which every roller could stand where its neighbour was? Under the mean forces of
-// the gears nothing else changes with time. docs/periodic_motion.md holds the figures.
+// Test whether the steady motion of a planet bearing is periodic over a roller passage, the time in which the
+// cage rotates by one pocket and after which every roller could be where its neighbour was. Under the mean
+// forces of the gears nothing else changes with time. docs/periodic_motion.md has the figures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ class Passages {
 
   const bearing::motion::StateLayout& layout() const { return bearing_.model().layout; }
   const VectorXd& state() const { return x_; }
-  /// What one length is for each variable.
+  /// Change of each variable that corresponds to one length.
   const VectorXd& scale() const { return scale_; }
 
   /// To the next passage, after which rollers are renamed; `see` sees every step. Returns its steps.
@@ -110,7 +110,7 @@ class Passages {
     y[layout().cage() + 2] -= sense() * pitch();
     return y;
   }
-  /// The same of rates, which know no place.
+  /// The same for rates, which do not depend on the position.
   VectorXd with_names_moved(const VectorXd& x) const {
     const Index z = layout().rollers, one = sense() > 0.0 ? z - 1 : 1;
     VectorXd y = x;
@@ -211,8 +211,7 @@ Passages settled_passages(const PassageDuty& duty) {
   return motion;
 }
 
-// Issue 17, Build 4: a passage may be taken for a period at all, since the equations do not tell one roller
-// from the next.
+// A passage may be taken as a period at all, since the equations do not distinguish one roller from the next.
 TEST(PeriodicMotion, RenamedRollersMoveAlike) {
   constexpr double kRoundOff = 1e-9;  // of the largest rate of a kind
   Passages motion = settled_passages({.speed = 6000.0});
@@ -230,9 +229,9 @@ TEST(PeriodicMotion, RenamedRollersMoveAlike) {
             kRoundOff * of_rings.cwiseAbs().maxCoeff());
 }
 
-// Issue 17, Build 4: the cage comes back to another place, by as much as it moves within a passage; and
-// neighbouring motions part by orders of magnitude in a passage, so that a periodic motion, if there is one,
-// repels and is not what steady means are taken of.
+// The cage returns to a different position, by as much as it moves within a passage; and neighbouring motions
+// diverge by orders of magnitude in a passage, so that a periodic motion, if there is one, is unstable and
+// steady means are not taken of it.
 TEST(PeriodicMotion, SqueezeAloneDoesNotMakeIt) {
   for (const PassageDuty& duty : {PassageDuty{.speed = 6000.0}, {.speed = 12000.0, .clearance = 37.0}}) {
     SCOPED_TRACE(testing::PrintToString(duty));
@@ -242,8 +241,8 @@ TEST(PeriodicMotion, SqueezeAloneDoesNotMakeIt) {
   }
 }
 
-// Issue 17, Build 4: at 3000 rpm without clearance the motion looks periodic, but the distance of neighbours
-// grows as fast, and with shorter steps as well.
+// At 3000 rpm without clearance the motion looks periodic, but the distance of neighbouring motions grows as
+// fast, and with shorter steps as well.
 TEST(PeriodicMotion, NearlyPeriodicMotionRepels) {
   for (double error : {1.0, 0.01}) {
     const PassageDuty duty{.speed = 3000.0, .error = error};
@@ -256,16 +255,16 @@ TEST(PeriodicMotion, NearlyPeriodicMotionRepels) {
   }
 }
 
-// Issue 17, Build 4: what makes it repel are the pockets, which are dry and nearly elastic. With a hundred
-// times their damping the motion at 12000 rpm is periodic, and no neighbour leaves it: what does not decay
-// is the same motion a little later, whose multiplier is 1.
+// The instability is caused by the pockets, which are dry and nearly elastic. With a hundred times their
+// damping the motion at 12000 rpm is periodic, and neighbouring motions do not diverge: the only difference
+// that does not decay is a shift in time, whose multiplier is 1.
 TEST(PeriodicMotion, IsWhatDampedPocketsMake) {
   Passages motion = settled_passages({.speed = 12000.0, .error = 0.1, .pocket_damping = 100.0});
   EXPECT_LT(deviation_of_cage(motion), 0.02);
   EXPECT_NEAR(growth_of_distance(motion), 1.0, 0.05);
 }
 
-// Issue 17, Build 4: so does oil that is pressed out of the pockets, for one that attracts.
+// A squeeze film in the pockets makes it periodic too, and stable.
 TEST(PeriodicMotion, IsWhatOilInPocketsMakes) {
   Passages motion = settled_passages({.speed = 3000.0, .error = 0.1, .oil_in_pockets = true});
   EXPECT_LT(deviation_of_cage(motion), 1e-4);

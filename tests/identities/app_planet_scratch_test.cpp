@@ -1,6 +1,5 @@
-// Issue 14, Build 7 and "Done when": a planet bearing with scratches in the coupled gear set. Which lines
-// follow is derived on paper in docs/defects/planet.md; here they are looked for in the run of the shipped
-// case.
+// A planet bearing with scratches in the coupled gear set. The lines are derived on paper in
+// docs/defects/planet.md; here they are found in the run of the shipped case.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +22,8 @@ namespace {
 
 using diagnosis::Spectrum;
 
-// Each takes seconds: what several tests look at is computed once. A scratch of the pin stands in the load
-// and is clear in a short signal; what comes by now and then needs a longer one.
+// Each takes seconds: a study for several tests is computed once. A scratch of the pin remains in the load
+// zone and is clear in a short signal; scratches that pass it now and then require a longer one.
 const PlanetDefectStudy& study_of(std::vector<std::string> settings, int carrier_revolutions = 6) {
   static std::map<std::vector<std::string>, PlanetDefectStudy> studies;
   settings.insert(settings.begin(), "signal.carrier_revolutions=" + std::to_string(carrier_revolutions));
@@ -42,7 +41,7 @@ double level(const Spectrum& spectrum, double frequency) {
   return spectrum.amplitude.segment(line - 1, 3).maxCoeff();
 }
 
-// What half of the lines up to `highest` [Hz] stay below.
+// Level below which half of the lines up to `highest` [Hz] are.
 double floor_of(const Spectrum& spectrum, double highest) {
   std::vector<double> lines(
       spectrum.amplitude.begin() + 4,
@@ -51,7 +50,7 @@ double floor_of(const Spectrum& spectrum, double highest) {
   return lines[lines.size() / 2];
 }
 
-constexpr double kClear = 4.0;   // a line stands out: so many times the median of the spectrum around it
+constexpr double kClear = 4.0;   // a line is clear: so many times the median of the spectrum around it
 constexpr double kBuried = 3.0;  // the largest of three neighbours of noise rarely exceeds it
 
 TEST(PlanetScratch, OuterRaceGivesItsLineWithSideBandsOfThePlanetInTheCarriersFrame) {
@@ -84,8 +83,8 @@ TEST(PlanetScratch, InnerRaceStandsAndGivesItsLineAlone) {
   EXPECT_EQ(study.carrier.envelope_peaks.front().is, "inner race defect");
 }
 
-// One damaged planet goes by: both side bands of the carrier stay. They are absent in the carrier's own
-// frame.
+// One damaged planet passes the sensor: both side bands of the carrier remain. They are absent in the
+// carrier's own frame.
 TEST(PlanetScratch, HousingSeesSideBandsOfTheCarrier) {
   const PlanetDefectStudy& study = study_of({"defect.race=inner"}, 3);
   const auto& at = study.turned;
@@ -117,8 +116,8 @@ TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
 
 TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
-  // Six revolutions: beside the pin's scratch, which rings through the spectrum, the bore's stands out by 3.0
-  // to 5.1 in six starts, by 1.8 to 3.3 in half the turns.
+  // Six revolutions: besides the pin's scratch, whose impacts are in the whole spectrum, the bore's line is
+  // above the floor by a factor of 3.0 to 5.1 in six starts, of 1.8 to 3.3 in half the turns.
   const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.also=outer"});
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
@@ -135,20 +134,20 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
   const auto of = [&](int turns) { return level(lines, turns * study.rolling.carrier); };
   for (const int gone : {79, 78, 158, 157, 159}) EXPECT_LT(of(gone), 0.05 * of(80)) << gone;
   for (const int gone : {237, 238}) EXPECT_LT(of(gone), 0.05 * of(236)) << gone;
-  // What no line on paper explains is how the signal is taken, every 1/(8 x 51.2 kHz): jumps of the mesh
-  // forces have harmonics far above, of which those that planets leave over (the order a multiple of their
+  // Lines that no line on paper explains are caused by sampling at 1/(8 x 51.2 kHz): jumps of the mesh forces
+  // have harmonics far above, of which those that the planets do not cancel (the order a multiple of their
   // number) fold back.
   const double instants = 8.0 * 51200.0, fc = study.rolling.carrier, fm = study.rolling.mesh;
   for (const double folded :
        {163.0 * fm - fc - instants, 2.0 * instants - 325.0 * fm - fc, 488.0 * fm - 3.0 * instants})
     EXPECT_GT(level(study.housing.spectrum, folded), kClear * floor_of(study.housing.spectrum, 1500.0))
         << folded;
-  // In the carrier's frame the teeth's own lines stand.
+  // In the carrier's frame the teeth's own lines remain.
   EXPECT_GT(level(study.carrier.spectrum, study.rolling.mesh),
             100.0 * floor_of(study.carrier.spectrum, 3000.0));
 }
 
-// A measured table in place of a form; and a run-up whose lines are orders of the carrier.
+// A measured table instead of a form; and a run-up whose lines are orders of the carrier.
 TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   const PlanetDefectStudy& study =
@@ -156,8 +155,8 @@ TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
                 "signal.run_up_from=0.5"});
   const double order = study.turned.bearing.inner_pass / study.turned.carrier;
   EXPECT_NEAR(order, study.rolling.bearing.inner_pass / study.rolling.carrier, 0.01 * order);
-  // The teeth's order, that of the ring in a turn of the carrier, stands as one line. A scratch is drowned by
-  // it: its order is not found (docs/defects/planet.md).
+  // The teeth's order, that of the ring in a turn of the carrier, is one line. It conceals a scratch, whose
+  // order is not found (docs/defects/planet.md).
   const Spectrum& orders = study.carrier.spectrum;
   EXPECT_GT(level(orders, 79.0), kClear * floor_of(orders, 2.0 * 79.0));
   const Eigen::ArrayXd& angle = study.vibration.carrier_angle;

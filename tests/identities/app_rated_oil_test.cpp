@@ -1,4 +1,4 @@
-// Issue 16, Build 5: life by film and cleanliness in runs and sweeps of a drivetrain.
+// Life by film and cleanliness in runs and sweeps of a drivetrain.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
   EXPECT_FALSE(plain.rating.lives.oil);
   ASSERT_TRUE(rated.rating.lives.oil);
   EXPECT_TRUE(std::isnan(plain.rating.hours.modified) && std::isnan(plain.rating.hours.modified_reference));
-  // A dry contact carries alike whatever the oil.
+  // A dry contact carries the same load whatever the oil.
   EXPECT_EQ(rated.life_hours, plain.life_hours);
   EXPECT_EQ(rated.rating.hours.basic, plain.rating.hours.basic);
   EXPECT_EQ(rated.rating.hours.reference, plain.rating.hours.reference);
@@ -103,7 +103,7 @@ TEST(RatedOil, CleanlinessThatIsNotSaidIsReported) {
   EXPECT_THAT(rating_warnings(reducer({})), testing::IsEmpty());
 }
 
-// Below 0.1 the standard knows no a_ISO: no number rather than a wrong one.
+// Below 0.1 the standard has no a_ISO: no number rather than a wrong one.
 TEST(RatedOil, StarvedBearingsHaveNoModifiedLife) {
   const auto rated =
       point({"lubricant.grade=ISO VG 7", "lubricant.temperature=120 degC", "input.speed=200 rpm"});
@@ -136,11 +136,11 @@ TEST(RatedOil, MotionIsRatedByTheSameLaw) {
   const bearing::rating::RatingLives& lives = moving.rating.lives;
   ASSERT_TRUE(lives.oil);
   EXPECT_NEAR(lives.oil->viscosity_ratio, rest.rating.lives.oil->viscosity_ratio, 1e-12);
-  // ISO 281 knows the mean load alone.
+  // ISO 281 uses the mean load alone.
   EXPECT_NEAR(moving.rating.hours.basic / rest.rating.hours.basic, 1.0, 1e-12);
   EXPECT_NEAR(moving.rating.hours.modified / rest.rating.hours.modified, 1.0, 1e-12);
-  // The reference life goes with the loads of the motion, as that of Lundberg and Palmgren does: means of the
-  // same powers, capacities that differ by factors.
+  // The reference life uses the loads of the motion, as that of Lundberg and Palmgren does: means of the same
+  // powers, capacities that differ by factors.
   EXPECT_NEAR(
       (moving.rating.hours.reference / rest.rating.hours.reference) / (moving.life_hours / rest.life_hours),
       1.0, 2e-3);

@@ -38,7 +38,7 @@ SpectrumResult spectrum(const std::string& rows, const std::vector<std::string>&
 
 void expect_same_lives(const SpectrumResult& one, const SpectrumResult& other) {
   for (const auto& [name, life] : one.lives) {
-    if (std::isnan(life)) {  // of unlike planets alone
+    if (std::isnan(life)) {  // only for unequal planets
       EXPECT_TRUE(std::isnan(life_of(other, name))) << name;
     } else {
       EXPECT_NEAR(life_of(other, name), life, kSame * life) << name;
@@ -104,7 +104,7 @@ TEST(LoadSpectra, IsMinersSumOfItsBinsRunOneByOne) {
   EXPECT_NEAR(sum, 1.0, kSame);
 }
 
-// Carrier and planet still throw rollers outward.
+// Carrier and planet still cause centrifugal loads of rollers.
 TEST(LoadSpectra, IdlesWithoutTorque) {
   const SpectrumResult found =
       spectrum("[{power: 0 kW, speed: 6000 rpm, share: 0.5}, {power: 150 kW, speed: 6000 rpm, share: 0.5}]");

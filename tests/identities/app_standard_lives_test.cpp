@@ -1,5 +1,5 @@
-// Issue 44, Build 1 and items 1 and 2: lives by the standards of planet bearings, beside the numbers by hand
-// and beside the same bearing as a single one.
+// Lives by the standards of planet bearings, compared with numbers by hand and with the same bearing as a
+// single one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ TEST(StandardLives, OfAPlanetBearingAreThoseOfTheSingleOne) {
   EXPECT_NEAR(lives.static_capacity, 655710.0, 1.0);
   EXPECT_NEAR(lives.fatigue_load_limit, 67606.0, 5.0);
   EXPECT_NEAR(lives.life_modification, 3.51, 0.005);
-  // The planet's load stands a little off the line through its rollers: their positions count.
+  // The planet's load is a little off the line through its rollers: their positions count.
   constexpr double positions = 5e-3;
   EXPECT_NEAR(lives.reference.bearing / single.reference.bearing, 1.0, positions);
   EXPECT_NEAR(lives.modified_reference.bearing / single.modified_reference.bearing, 1.0, 2.0 * positions);
@@ -195,10 +195,10 @@ TEST(StandardLives, OfBearingsThatShareAPlanetUnevenly) {
   EXPECT_NEAR(0.5 * (at.seats[0].load + at.seats[1].load) / at.planet_load, 1.0, 0.02);
 }
 
-// In every rung of motion ISO 281 takes the mean load, and the reference life the means of powers that the
-// life of Lundberg and Palmgren takes. Both have capacities of the races in the ratio ((1 - gamma)/(1 +
-// gamma))^(143/108), to the four digits of the standard's constants: of whole contacts the lives have one
-// ratio at rest and in motion.
+// At every fidelity of motion ISO 281 uses the mean load, and the reference life the means of powers that the
+// life of Lundberg and Palmgren uses. Both have capacities of the races in the ratio ((1 - gamma)/(1 +
+// gamma))^(143/108), to the four digits of the standard's constants: for whole contacts the lives have one
+// ratio, quasi-static and in motion.
 TEST(StandardLives, OfEveryRungOfMotion) {
   const auto small = [](const std::vector<std::string>& settings) {
     return parse_case(fields_test::bases().front().text, "small.yaml", settings);
@@ -235,7 +235,7 @@ TEST(StandardLives, WithTheMakersRatings) {
   EXPECT_EQ(stated.rating.lives.fatigue_load_limit, 4e3);
   EXPECT_NEAR(stated.rating.hours.basic / plain.rating.hours.basic,
               std::pow(20e3 / plain.rating.lives.dynamic_capacity, 10.0 / 3.0), 1e-9);
-  // Contacts bear by C: the reference life goes with its fourth power.
+  // Capacities of contacts follow from C: the reference life is proportional to its fourth power.
   EXPECT_NEAR(stated.rating.hours.reference / plain.rating.hours.reference,
               std::pow(20e3 / plain.rating.lives.dynamic_capacity, 4.0), 1e-8);
   EXPECT_EQ(stated.life_hours, plain.life_hours);  // Lundberg and Palmgren's own capacities
@@ -265,7 +265,7 @@ TEST(StandardLives, TheLifeToGoByIsChosen) {
     }
 }
 
-// The peak is that of the life chosen: by ISO 281 with its own oil it stands at another speed.
+// The peak is that of the chosen life: by ISO 281 with its own oil it is at another speed.
 TEST(StandardLives, PeaksGoByTheLifeChosen) {
   const std::vector<std::string> common{"lubricant.grade=ISO VG 220", "lubricant.temperature=80 degC",
                                         "sweep.input.speed={from: 4000 rpm, to: 9000 rpm, step: 1000 rpm}"};

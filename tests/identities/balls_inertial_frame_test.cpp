@@ -22,7 +22,7 @@ using oracle::Vector;
 
 constexpr double kTwoPi = 6.283185307179586476925286766559;
 
-// What the program's state says of the bodies, and what their rates say of the rate of the state.
+// State of the bodies from the program's state, and the rate of the state from the rates of the bodies.
 class Seen {
  public:
   Seen(const BallBearing& model, double time)
@@ -150,7 +150,7 @@ class Seen {
   static void put_body(const Body& body, const Body& by, int unknowns, double* dx) {
     const Vector a = body.attitude.col(2), passing = body.rotating.cross(a);
     const Vector bending = by.rotating.cross(a) + body.rotating.cross(passing);
-    // A held ring moves no more, whatever its state says.
+    // A held ring does not move, whatever its state.
     for (int i = 0; i < 3; ++i) dx[i] = body.velocity[i], dx[unknowns + i] = by.velocity[i];
     for (int i = 0; i < 2; ++i) dx[3 + i] = passing[i], dx[unknowns + 3 + i] = bending[i];
   }
@@ -312,12 +312,12 @@ class RandomStates {
   std::mt19937_64 engine_;
 };
 
-// A bearing and a state of it that one number stands for.
+// A bearing and a state of it, both drawn from one number.
 struct Case {
   explicit Case(unsigned number, const RandomStates::Kind& kind = {}) : random(number) {
     const Bearing bearing = random.bearing();
     MotionParameters parameters = random.parameters(bearing, kind);
-    parameters.race.squeeze = number % 3 == 1;  // Issue 17, Build 1: oil that is pressed out
+    parameters.race.squeeze = number % 3 == 1;  // squeeze film
     const auto sets = mechanics::instruction_sets();
     model = std::make_unique<BallBearing>(ball_numbers(bearing, parameters), random.duty(bearing, kind),
                                           sets[number % sets.size()]);
@@ -449,7 +449,7 @@ TEST(BallsInertialFrame, SeesTheSamePowers) {
   }
 }
 
-// What drives and loads put in goes into motion, springs and losses: by the reference, and by the program.
+// Work of drives and loads goes into motion, springs and losses: by the reference, and by the program.
 TEST(BallsInertialFrame, KeepsEnergy) {
   for (unsigned number = 0; number < kCases; ++number) {
     SCOPED_TRACE(number);
@@ -646,7 +646,7 @@ TEST_P(BallsInertialRun, RunsAlike) {
   EXPECT_NEAR(found.cage_speed, expected.cage_speed, kLoads * std::abs(expected.cage_speed));
   const double all = expected.loss[5];
   EXPECT_NEAR(found.loss[5], all, kLoads * all);
-  // Damping of the races is a hundred thousandth of the whole; errors of the steps count by the whole.
+  // Damping of the races is a hundred thousandth of the whole; errors of the steps are relative to the whole.
   for (Eigen::Index i = 0; i < 5; ++i)
     EXPECT_NEAR(found.loss[i], expected.loss[i], kParts * expected.loss[i] + 1e-6 * all) << i;
 }

@@ -1,5 +1,5 @@
-// Issue 14, Build 2 and 3: what must hold for every ball bearing in motion: power balance, slopes, equal
-// results of all instruction sets, order of the steps, the static bearing as the limit of slow turning.
+// Properties of every ball bearing in motion: power balance, slopes, equal results of all instruction sets,
+// order of the steps, the static bearing as the limit of slow rotation.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -89,8 +89,8 @@ void straighten(const StateLayout& layout, std::vector<double>& x) {
       x[static_cast<std::size_t>(ring + i)] = x[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
 }
 
-// Issue 14, Build 7: forces on a scratch are those of its energy, and a ring that carries one along pays for
-// it with torque.
+// Forces on a scratch are those of its energy, and a ring that moves a scratch along supplies its work by
+// torque.
 TEST(BallMotion, PowerBalancesOnScratches) {
   RandomBalls random(11);
   double felt = 0.0;
@@ -144,8 +144,8 @@ void scratch_balls(RandomBalls& random, Started& s) {
   }
 }
 
-// Issue 14, Build 7: a scratch of a ball turns with the ball, wherever that turns, and its forces and moments
-// are those of the contacts' energy.
+// A scratch of a ball moves with the ball, whatever its rotation, and its forces and moments are those of the
+// contacts' energy.
 TEST(BallMotion, PowerBalancesOnScratchedBalls) {
   RandomBalls random(12);
   int struck = 0;
@@ -281,7 +281,7 @@ TEST(BallMotion, StepsAreOfSecondOrder) {
   EXPECT_NEAR(std::log2(fine / finest), 2.0, 0.25);
 }
 
-// Turning slowly, the balls carry in the mean over their places what the static bearing says.
+// In slow rotation, the mean loads of the balls over their positions are those of the static bearing.
 TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   Bearing b;
   b.elements = Balls{8, 11.509e-3, 0.0};
@@ -341,7 +341,7 @@ TEST(BallMotion, StartsRolling) {
   }
 }
 
-// A moment in the plane of the radial load tilts the ring at the start as it does at rest.
+// A moment in the plane of the radial load tilts the ring at the start as in the quasi-static state.
 TEST(BallMotion, StartsTiltedByItsMoment) {
   Bearing b;
   b.elements = Balls{9, 10e-3, 0.4};

@@ -1,5 +1,5 @@
-// Issue 14: ball bearings drawn at random under loads over four decades and speeds over two, RANDOM_BALLS of
-// them: each run ends with sound numbers or a reason.
+// Ball bearings drawn at random under loads over four decades and speeds over two, RANDOM_BALLS of them: each
+// run ends with sound numbers or a reason.
 #include <gtest/gtest.h>
 
 #include <cmath>

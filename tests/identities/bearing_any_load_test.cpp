@@ -1,4 +1,4 @@
-// The quasi-static bearing finds its balance for any load from 0.01 N to 1 MN: the corners that draws of
+// The quasi-static bearing finds its equilibrium for any load from 0.01 N to 1 MN: the corners that draws of
 // ordinary bearings leave out, such as three rollers, no clearance at all, much clearance or interference,
 // and a roller right under the load or opposite to it. RANDOM_BEARINGS scales the number of draws.
 #include <gtest/gtest.h>

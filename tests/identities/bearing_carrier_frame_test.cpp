@@ -1,11 +1,10 @@
-// The inertial loads of the carrier frame against motion seen from the ground.
+// The inertial loads of the carrier frame against motion in the frame of the ground.
 //
 //   Y ^        carrier frame x, y turned by psi(t) = Omega t + 1/2 dOmega/dt t^2; pin at x = 0, y = 0
 //     |    y\  /x
 //     | r_c  \/     A trajectory (x, y)(t) is chosen in the carrier frame, turned to the ground, and
-//     differentiated
-//     +-------> X   twice by numbers. Seen in the carrier frame: acceleration of the ground = relative -
-//     "added".
+//     +-------> X   differentiated twice by numbers. In the carrier frame: acceleration of the ground =
+//                   relative - "added".
 //
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What Lundberg and Palmgren's life keeps when loads, bearings and speeds change together.
+// Invariants of Lundberg and Palmgren's life when loads, bearings and speeds change together.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/minima.hpp>
@@ -128,8 +128,8 @@ TEST(ConstantPower, PeakMovesWithTheCubeRootOfPower) {
   EXPECT_NEAR(peak(0.5) / at_one, std::cbrt(0.5), kMinimum);
 }
 
-// The film lengthens the load zone where there is no clearance: 5 to 10 % more life were expected of it by an
-// independent estimate; the oil is a guess, so that only sign and size are asked for.
+// The film lengthens the load zone where there is no clearance: an independent estimate gives 5 to 10 % more
+// life; the oil is a guess, so that only sign and size are tested.
 TEST(FilmLife, IsLongerAtZeroClearance) {
   OperatingPoint point = ConstantPower{1064.0, 657.0, 47.0}.at(1.0);
   QuasiStaticOptions oiled;

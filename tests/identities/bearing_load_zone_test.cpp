@@ -1,4 +1,4 @@
-// What every load zone keeps, whatever the bearing, the clearance, the film and the motion of the carrier.
+// Properties of every load zone, whatever the bearing, the clearance, the film and the motion of the carrier.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 using constants::two_pi;
 
-// Of the largest load: the solver stops at 1e-9 of the force scale, and a single roller may see a few times
-// that.
+// Tolerance over the largest load: the solver stops at 1e-9 of the force scale, and a single roller may have
+// a few times that error.
 constexpr double kSolved = 1e-8;
 
 struct Case {

@@ -1,5 +1,4 @@
-// What must hold for every roller bearing, load and motion: bearings drawn at random, RANDOM_BEARINGS of
-// them.
+// Properties of every roller bearing, load and motion: bearings drawn at random, RANDOM_BEARINGS of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +13,8 @@
 namespace orbearing::bearing::bearing_random_test {
 namespace {
 
-// Of the largest force at hand: the solver stops below 1e-9, and the sum over up to 30 rollers rounds again.
+// Tolerance over the largest force: the solver stops below 1e-9, and the sum over up to 30 rollers adds
+// round-off.
 constexpr double kBalance = 1e-8;
 
 int number_of_draws() {

@@ -81,8 +81,8 @@ TEST(StationaryCarrier, CarrierSwitchesAndTheArmDoNotMatter) {
   EXPECT_EQ((all.inner_load - plain.inner_load).abs().maxCoeff(), 0.0);
 }
 
-// Turned with carrier and rollers as one rigid body (bore, pin and cage at rest in the carrier), a roller
-// feels Omega^2 times its distance from the sun axis and nothing else.
+// Rotating with carrier and rollers as one rigid body (bore, pin and cage stationary in the carrier), a
+// roller has the acceleration Omega^2 times its distance from the sun axis and no other.
 TEST(RigidRotation, RollersFeelTheirDistanceFromTheSunAxis) {
   OperatingPoint point = example_bearings::static_load(1500.0, 0.6);
   point.carrier = {.speed = 200.0, .acceleration = 0.0, .orbit_radius = 87.891e-3};

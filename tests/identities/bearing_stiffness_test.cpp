@@ -1,6 +1,5 @@
-// Issue 15, Build 1: the 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads
-// a little larger and smaller, and how the ring then stands. Its product with these slopes is the unit
-// matrix.
+// The 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: positions of the ring
+// under slightly larger and smaller loads. Its product with these slopes is the unit matrix.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,7 +21,7 @@ using constants::degree;
 using Vector5 = Eigen::Vector<double, 5>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-constexpr double kAgreement = 1e-6;  // asked of every entry, over what its row and column scale with
+constexpr double kAgreement = 1e-6;  // required of every entry, over what its row and column scale with
 
 struct Loaded {
   std::string name;
@@ -59,8 +58,8 @@ std::vector<Loaded> loaded_bearings() {
           {"rollers", rollers(), {}, Vector5(4000.0, 0.0, 0.0, 9.0, 5.0), false}};
 }
 
-// Where the ring stands under `load`: x, y, z and both tilts as tangents. The radial load lies along x for
-// the balance, so the bearing is turned below it.
+// Position of the ring under `load`: x, y, z and both tilts as tangents. The equilibrium requires the radial
+// load along x, so the bearing is rotated accordingly.
 Vector5 stands(const Loaded& at, const Vector5& load) {
   const double turn = std::atan2(load[1], load[0]);
   const Eigen::Rotation2D<double> back(turn);
@@ -84,7 +83,7 @@ RingState balanced(const Loaded& at) {
       {.radial = at.load[0], .axial = at.load[2], .moment = at.load[3], .moment_across = at.load[4]});
 }
 
-// Differences of fourth order: steps far above the balance's round-off.
+// Differences of fourth order: steps far above the equilibrium's round-off.
 Vector5 slope_by_load(const Loaded& at, int freedom, double step) {
   const auto moved = [&](double steps) {
     return stands(at, (at.load + steps * step * Vector5::Unit(freedom)).eval());
@@ -106,7 +105,7 @@ TEST(BearingStiffness, EveryEntryIsTheSlopeOfTheEquilibrium) {
     const Matrix5 product = stiffness * slopes;
     for (int i = 0; i < 5; ++i)
       for (int j = 0; j < 5; ++j) {
-        // By an arm of 1 cm, forces and moments are alike.
+        // With an arm of 1 cm, forces and moments are comparable.
         const double arm = std::pow(100.0, (i >= 3) - (j >= 3));
         EXPECT_NEAR(arm * product(i, j), arm * expected(i, j), kAgreement) << i << " " << j;
       }
@@ -135,8 +134,8 @@ TEST(BearingStiffness, ReciprocityAtRest) {
   }
 }
 
-// Under thrust alone nothing prefers a direction across the axis; a row whose angle does not change follows
-// K_z = 3/2 F/w, and so grows with the cube root of the load; what turns slowly is at rest.
+// Under thrust alone no direction across the axis is distinguished; a row whose angle does not change follows
+// K_z = 3/2 F/w, and so grows with the cube root of the load; slow rotation tends to the stationary bearing.
 TEST(BearingStiffness, Limits) {
   Bearing bearing = angular_contact();
   const auto under = [&](double axial, double speed) {
@@ -240,7 +239,7 @@ TEST(PlanetStiffness, EveryEntryIsTheSlopeOfTheMeans) {
     }
 }
 
-// At one cage angle, without inertia: what the same rollers, unloaded ones among them, are worth in series.
+// At one cage angle, without inertia: stiffness of the same rollers, unloaded ones among them, in series.
 TEST(PlanetStiffness, IsThatOfTheRollersAlongTheLoad) {
   const Planet p = planet(false, false);
   const laminae::LaminaBearing bearing(p.bearing);

@@ -21,7 +21,7 @@ struct Errors {
   double residual = 0.0;  // [J]  sum of absolute values
 };
 
-// What happened before the start, had the pair always been as it is.
+// History before the start, as if the pair had always been as it is.
 InterfaceHistory past(const LinearPair& pair, double window) {
   InterfaceHistory history;
   for (int k = -2; k <= 0; ++k) {
@@ -76,7 +76,8 @@ TEST_P(CosimOrder, IsTheDerivedOne) {
   EXPECT_GT(coarse.state, 1e-11);  // not round-off
 }
 
-// Of all windows together it falls as the error does; iterated windows have none but what the iteration left.
+// The residual of all windows together decreases with the error; iterated windows have only that of the
+// iteration.
 TEST_P(CosimOrder, IsThatOfTheEnergyResidualToo) {
   const Errors coarse = errors(kEnd / 80.0), fine = errors(kEnd / 160.0);
   if (GetParam().iterated) {

@@ -153,8 +153,8 @@ TEST_F(MonolithicPath, ConvergesToTheReadableEquationsWithOrderTwo) {
   }
 }
 
-// Issue 17, Build 5: in steps of order 4 with oil in the pockets, a twelfth to two thirds of the error of
-// ROS2. The reference errs by 0.02.
+// Steps of order 4 with oil in the pockets: a twelfth to two thirds of the error of ROS2. The error of the
+// reference is 0.02.
 TEST_F(MonolithicPath, ConvergesInStepsOfOrderFourWithOil) {
   constexpr double kLength = 30e-6;  // [s]
   setup = test::oiled_reducer();
@@ -211,8 +211,8 @@ TEST_F(MonolithicPath, FollowsTheReadableEquations) {
   }
 }
 
-// Meshes of constant stiffness, so that no energy jumps. What the moments of the bearings do at the nominal
-// rotations comes from outside, since the gears count their motion beyond those.
+// Meshes of constant stiffness, so that no energy jumps. The work of the moments of the bearings at the
+// nominal rotations comes from outside, since the motion of the gears is relative to these.
 TEST_F(MonolithicPath, KeepsItsEnergy) {
   for (gearset::dynamics::Mesh* mesh : {&setup.gears.set.sun_mesh, &setup.gears.set.ring_mesh})
     mesh->stiffness = gearset::PeriodicCurve::constant(4e8);

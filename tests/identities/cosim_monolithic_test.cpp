@@ -11,8 +11,8 @@
 namespace orbearing::system::cosim_monolithic_test {
 namespace {
 
-// Issue 17, Build 5: where nothing bounces, gears and bearings go in steps of order 4, longer than the
-// longest of order 2, few are refused, and no bearing is substepped.
+// Without impacts, gears and bearings take steps of order 4, longer than the longest of order 2, few are
+// rejected, and no bearing is substepped.
 TEST(Monolithic, TakesLongStepsWithOil) {
   constexpr double kSeconds = 10e-3;
   Monolithic system(test::oiled_reducer());
@@ -43,7 +43,7 @@ TEST(Monolithic, NoStepWithOilIsLongerThanTheRingAllows) {
   EXPECT_GT(static_cast<double>(system.report().steps) + 1.0, kSeconds / longest);
 }
 
-// Steps that pass the times asked for, and states between them, against windows that end there.
+// Steps that pass the requested times, and states between them, against windows that end there.
 TEST(Monolithic, FollowedIsAsInWindows) {
   CoupledSetup setup = test::coupled_reducer();
   setup.bearing.allowed_length_error = 1e-14;
@@ -70,7 +70,8 @@ TEST(Monolithic, FollowedIsAsInWindows) {
   EXPECT_REFUSED(std::runtime_error, "followed window", followed.advance({1.0, 2.0}));
 }
 
-// Of each bearing from the start to `end` [s], mean over the bins of both races [N^4]: one over the life.
+// Damage of each bearing from the start to `end` [s], mean over the bins of both races [N^4]: inverse of the
+// life.
 std::vector<double> damage_over(double end, Monolithic& system) {
   system.initialize(0.0);
   bearing::motion::Snapshot start;

@@ -15,7 +15,7 @@ namespace {
 using study::DrivetrainGeometry;
 using study::PlanetaryDrivetrain;
 
-// Rollers swing between their races within 10 us: an order is seen in windows far shorter than that.
+// Rollers oscillate between their races within 10 us: an order is visible in windows far shorter than that.
 constexpr double kPath = 16e-6;   // [s]
 constexpr double kWindow = 1e-6;  // [s]  and half of it
 constexpr double kOrder = 0.3;  // of a measured order: the next term is smaller by h times the frequency of a
@@ -195,7 +195,7 @@ TEST(CosimReducer, PlanetsCanBeRenamed) {
   // Steps of the gears differ by round-off, which rollers amplify within 0.2 ms.
   for (Eigen::Index i = 0; i < 4; ++i)
     EXPECT_LT((after.col(i) - before.col((i + 1) % 4)).norm(), 1e-6 * before.col(i).norm());
-  EXPECT_GT((after - before).norm(), 1e-3 * before.norm());  // planets do not all move alike
+  EXPECT_GT((after - before).norm(), 1e-3 * before.norm());  // planets do not all move equally
 }
 
 // At the start the bearings hold what the meshes leave and the planet's own centrifugal load.

@@ -1,4 +1,4 @@
-// What bearings that are substepped do to the gears, and what a step of all says they did.
+// Effect of substepped bearings on the gears, and the reactions that a step of the whole system reports.
 #include "coupling/system/coupled_steps.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGamma = 0.29289321881345248;
 
-// Of constant stiffness, so that nothing jumps within a step.
+// A reducer of constant mesh stiffness, so that nothing jumps within a step.
 CoupledSetup smooth_reducer() {
   CoupledSetup setup = test::coupled_reducer();
   for (gearset::dynamics::Mesh* mesh : {&setup.gears.set.sun_mesh, &setup.gears.set.ring_mesh})
@@ -53,8 +53,8 @@ class CoupledStepsOfReducer : public testing::Test {
     return state_of(system, run);
   }
 
-  // Of the gears after `length` [s], by steps of `h` [s] of all; with `substepped` bearings at most
-  // substepped in steps as long as `tolerance` allows.
+  // Velocities of the gears after `length` [s], by steps of the whole system of `h` [s]; with `substepped`,
+  // at most that number of bearings is substepped, in steps as long as `tolerance` allows.
   Eigen::VectorXd velocities(std::vector<double> x, double length, double h, int substepped,
                              double tolerance) {
     const auto bearing = linearly_implicit_errors(
@@ -112,8 +112,8 @@ TEST(TimeSlope, IsThatOfTheMeshStiffness) {
   EXPECT_LT((found - differences).norm(), 2e-3 * differences.norm());
 }
 
-// Issue 17, Build 5: the mean force that a step gives for each bearing is what the gears felt of it: with the
-// forces of the gears in both stages it makes up the whole change of their momentum, to round-off.
+// The mean force that a step reports for each bearing is the force on the gears: with the forces of the gears
+// in both stages it equals the whole change of their momentum, to round-off.
 TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {
   const std::vector<double> x = bouncing();
   const double h = 3e-6, g = kGamma * h;
@@ -153,9 +153,9 @@ TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {
   }
 }
 
-// Issue 17, Build 5: gears take up what substepped bearings did beyond the step of all. Long steps with
-// these come closer to short ones than long steps alone, over states that follow each other: as many as it
-// takes that no single blow decides.
+// Gears include the motion of substepped bearings beyond the step of the whole system. Long steps with
+// substepped bearings come closer to short ones than long steps alone, over successive states: as many as
+// required so that no single impact dominates.
 TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   const double length = 60e-6, h = 6e-6;  // [s]
   Monolithic run(test::coupled_reducer());
@@ -172,7 +172,7 @@ TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   EXPECT_LT(substepped, 0.4 * 0.4 * plain);
 }
 
-// Issue 17, Build 5: the impulses go to planet, carrier and load as forces do.
+// The impulses act on planet, carrier and load as forces do.
 TEST_F(CoupledStepsOfReducer, ImpulsesChangeMomentumAndNothingElse) {
   const std::vector<double> x = bouncing();
   std::vector<double> after = x;
@@ -189,7 +189,7 @@ TEST_F(CoupledStepsOfReducer, ImpulsesChangeMomentumAndNothingElse) {
   }
 }
 
-// Issue 17, Build 5: rate and slopes that the step of all has at its beginning need not be asked for again:
+// Rate and slopes that are known at the beginning of a step of the whole system need not be computed again:
 // the same motion to the last bit.
 TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   const DrivenBearingSetup setup = test::driven_reducer();
@@ -233,8 +233,8 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   EXPECT_GT(plain.impulse.force.norm(), 0.0);
 }
 
-// Issue 17, Build 5: refusals of steps of all stay below a tenth where the mesh stiffness jumps, since single
-// bearings are substepped before all are refused.
+// Fewer than a tenth of the steps of the whole system are rejected where the mesh stiffness jumps, since
+// single bearings are substepped before all are rejected.
 TEST(CoupledSteps, RefuseFewSteps) {
   Monolithic system(test::coupled_reducer());
   system.initialize(0.0);

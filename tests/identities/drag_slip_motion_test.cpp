@@ -1,5 +1,5 @@
-// The slip of a cage under loads at rest against that of the bearing in motion: where the bore turns about a
-// pin, with rolling resistance, which carries rollers along, and without; and where a shaft turns.
+// The slip of a cage under quasi-static loads against that of the bearing in motion: where the bore rotates
+// about a pin, with rolling resistance, which moves rollers along, and without; and where a shaft rotates.
 #include <gtest/gtest.h>
 
 #include "bearing/equilibrium/quasi_static.hpp"

@@ -1,4 +1,4 @@
-// What the steps of the vectorised bearing leave of the energy, and the order at which they converge.
+// Energy error of the steps of the vectorised bearing, and their order of convergence.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,8 +17,8 @@ namespace {
 using integration::Method;
 using vectorised::VectorBearing;
 
-// Energy that steps add to the exact motion: each step is gone over again from the same state by explicit
-// steps of order 5 with a far smaller error, and what the two ends differ in energy is summed. Nothing is
+// Energy that steps add to the exact motion: each step is repeated from the same state by explicit steps of
+// order 5 with a far smaller error, and the difference in energy of the two ends is summed. Nothing is
 // interpolated, and no power is integrated over an impact.
 class LocalFlowAudit {
  public:
@@ -28,7 +28,7 @@ class LocalFlowAudit {
     exact_.allowed_error = system::allowed_errors(bearing.model(), kShareOfStep * length_error);
   }
 
-  /// The step from the state seen last, after `length` [s].
+  /// The step from the last state, after `length` [s].
   void add(const Eigen::VectorXd& x, double length) {
     if (x_.size() > 0 && length > 0.0) {
       const auto report = integration::integrate(
@@ -106,11 +106,12 @@ DynamicsParameters parameters_of(const AuditedSteps& audited) {
 
 class FastPathEnergy : public testing::TestWithParam<AuditedSteps> {};
 
-// What steps add shall be no more than a hundredth of the friction loss, whose laws know no better (0.4 % in
-// the worst of these, 1.4 % were the radial speeds of rollers weighed no heavier than the rest). It falls
-// with the allowed error: in proportion where the motion is smooth, with its root at least where contacts
-// open and close, since the error of such a step is of second order and steps are as long as the root; with
-// its cube root where steps of order 3 are as long as that. ENERGY_AUDIT_SECONDS: for that long.
+// The energy that steps add shall be no more than a hundredth of the friction loss, whose models are no more
+// accurate (0.4 % in the worst of these; 1.4 % if the radial speeds of rollers had the same weight as the
+// rest). It decreases with the allowed error: in proportion where the motion is smooth, with its root at
+// least where contacts open and close, since the error of such a step is of second order and steps are
+// proportional to the root; with its cube root where steps of order 3 are proportional to that.
+// ENERGY_AUDIT_SECONDS: simulated time.
 TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
   constexpr double kShareOfLoss = 0.01;
   constexpr double kStandard = 2e-10;  // [m]  what a run allows unless stated otherwise
@@ -139,12 +140,12 @@ INSTANTIATE_TEST_SUITE_P(
     Variants, FastPathEnergy,
     testing::Values(AuditedSteps{"dry", false, 0.0}, AuditedSteps{"film", true, 0.0},
                     AuditedSteps{"dry_shaken", false, 400.0}, AuditedSteps{"film_shaken", true, 400.0},
-                    // Issue 16, Build 8: rollers that touch one another.
+                    // Rollers that touch one another.
                     AuditedSteps{"full_complement", false, 0.0, true},
-                    // Issue 17, Build 1: oil that is pressed out.
+                    // Squeeze film.
                     AuditedSteps{"squeeze", false, 0.0, false, true},
                     AuditedSteps{"squeeze_film_shaken", true, 400.0, false, true},
-                    // Issue 17, Build 2: steps that the ring alone bounds.
+                    // Steps that only the ring limits.
                     AuditedSteps{"squeeze_pockets", true, 0.0, false, true, true},
                     AuditedSteps{"squeeze_pockets_shaken", true, 400.0, false, true, true}),
     [](const testing::TestParamInfo<AuditedSteps>& variant) { return variant.param.name; });
@@ -216,8 +217,7 @@ Eigen::VectorXd end_of_equal_steps(const BearingModel& model, const Eigen::Vecto
   return end;
 }
 
-// By a method of order 5: its error, 1e-5 of the ones to be measured, does not
-// count.
+// By a method of order 5: its error, 1e-5 of the ones to be measured, is negligible.
 Eigen::VectorXd exact_end(const BearingModel& model, Eigen::VectorXd x) {
   VectorBearing equations(model);
   const auto motion = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at,
@@ -231,7 +231,7 @@ Eigen::VectorXd exact_end(const BearingModel& model, Eigen::VectorXd x) {
 
 class FastPath : public testing::TestWithParam<bool> {};
 
-// Issue 16, Build 1: with the waves of an elastic rim as well, whose slopes by the rollers the matrix lacks.
+// With the waves of an elastic rim as well, whose slopes by the rollers are not in the matrix.
 TEST_P(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   constexpr double kMargin = 0.1;  // the term of next order, at steps of a fiftieth of the fastest period
   const SmoothCase smooth;
@@ -266,15 +266,14 @@ std::vector<double> errors_on_a_rigid_rim(const std::vector<int>& steps) {
   return errors;
 }
 
-// Issue 17, Build 2: ROS3 is of order 3 there. Shorter steps come near to the error of the solution that is
-// held for exact.
+// ROS3 is of order 3 there. Shorter steps come near to the error of the solution that is taken as exact.
 TEST(FastPathOfOrderThree, ConvergesWhereContactsStayClosed) {
   constexpr double kMargin = 0.1;
   const auto errors = errors_on_a_rigid_rim<integration::Rosenbrock3>({1200, 2400});
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 3.0, kMargin);
 }
 
-// Issue 17, Build 2: and the steps of order 4 are of order 4, at longer ones for the same reason.
+// The steps of order 4 are of order 4, at longer ones for the same reason.
 TEST(FastPathOfOrderFour, ConvergesWhereContactsStayClosed) {
   constexpr double kMargin = 0.2;
   const auto errors = errors_on_a_rigid_rim<integration::Rosenbrock4>({300, 600, 1200});
@@ -282,7 +281,7 @@ TEST(FastPathOfOrderFour, ConvergesWhereContactsStayClosed) {
   EXPECT_NEAR(std::log2(errors[1] / errors[2]), 4.0, kMargin);
 }
 
-// Issue 17, Build 2: which order suits which bearing.
+// Order of the steps by impacts and excitation of the bearing.
 TEST(OrderOfSteps, FollowsWhatBouncesAndWhatShakes) {
   const auto order = [](const AuditedSteps& audited, bool shaken) {
     return system::order_of_steps(
@@ -303,8 +302,8 @@ TEST(OrderOfSteps, FollowsWhatBouncesAndWhatShakes) {
       << "waves of a rim, whose slopes the matrix lacks";
 }
 
-// Issue 17, Build 2: shaken by teeth at 6000 rpm, with the squeeze of the oil less than a tenth of the steps
-// is refused, and steps of order 3 are longer than the longest of order 2 at the same allowed error.
+// Excited by teeth at 6000 rpm, with a squeeze film less than a tenth of the steps is rejected, and steps of
+// order 3 are longer than the longest of order 2 at the same allowed error.
 TEST(FastPathOfOrderThree, TakesLongStepsAndRefusesFew) {
   constexpr double kSeconds = 10e-3;
   const Bearing given = test::reducer_bearing();
@@ -320,8 +319,8 @@ TEST(FastPathOfOrderThree, TakesLongStepsAndRefusesFew) {
   EXPECT_LT(static_cast<double>(report.steps), kSeconds / system::longest_step(model));
 }
 
-// Issue 17, Build 2: where oil damps blows on the bars, too, steps without tooth forces are four times the
-// longest of order 2, and few are refused with them.
+// If oil damps impacts on the bars too, steps without tooth forces are four times the longest of order 2, and
+// few are rejected with them.
 TEST(FastPathOfOrderThree, TakesStepsOfTheRingWhereOilIsInThePockets) {
   constexpr double kSeconds = 20e-3;
   constexpr double kTimesLonger = 3.5;
@@ -341,9 +340,8 @@ TEST(FastPathOfOrderThree, TakesStepsOfTheRingWhereOilIsInThePockets) {
   }
 }
 
-// Issue 50, Build 3: of slow motion steps follow the rollers' passage. They are several times the longest one
-// of fast motion, and mean loads are those of steps that the vibration of the ring bounds. Torque is that of
-// 6000 rpm.
+// In slow motion, steps follow the rollers' passage. They are several times the longest one of fast motion,
+// and mean loads are those of steps that the vibration of the ring limits. Torque is that of 6000 rpm.
 TEST(SlowMotion, StepsFollowThePassageOfTheRollers) {
   constexpr double kRpm = 100.0, kSeconds = 60e-3, kTimesLonger = 3.0, kShareOfLoad = 2e-3;
   const Bearing given = test::reducer_bearing();
@@ -382,8 +380,7 @@ TEST(SlowMotion, StepsFollowThePassageOfTheRollers) {
   }
 }
 
-// Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what
-// is left of its waves.
+// A rim a million times as stiff is a rigid one: the same path of all bodies, within the remaining waves.
 TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
   constexpr int kSteps = 2400;
   constexpr double kLeft = 1e-10;  // [m]  a millionth of some micrometres, grown over 0.3 ms
@@ -410,8 +407,8 @@ INSTANTIATE_TEST_SUITE_P(Rims, FastPath, testing::Bool(), [](const testing::Test
   return rim.param ? "elastic" : "rigid";
 });
 
-// Issue 17, Build 2: steps of order 3 and radial speeds without a weight of their own are for impacts that
-// lose their energy, which oil that is thin, or far off, does not take.
+// Steps of order 3 and radial speeds without a weight of their own are for impacts that lose their energy;
+// thin or distant oil does not dissipate it.
 TEST(ImpactsAreDamped, ByOilThatIsThickAndNear) {
   const auto damped = [](double rpm, double viscosity, double roughness, bool squeeze) {
     DynamicsParameters parameters = test::reducer_parameters();
@@ -429,7 +426,7 @@ TEST(ImpactsAreDamped, ByOilThatIsThickAndNear) {
   }
 }
 
-// Issue 17, Build 2: the ring alone bounds steps where oil stops rollers before the bars.
+// Only the ring limits steps where oil stops rollers before the bars.
 TEST(BlowsAreDamped, ByOilInThePocketsThatIsThickAndNear) {
   const auto damped = [](PocketFilm film, double viscosity, double roughness) {
     DynamicsParameters parameters = test::reducer_parameters();
@@ -445,8 +442,8 @@ TEST(BlowsAreDamped, ByOilInThePocketsThatIsThickAndNear) {
   EXPECT_FALSE(damped(PocketFilm::hydrodynamic, 0.01, 20e-6));
 }
 
-// Issue 17, Build 2: a roller that flies at a bar through the oil of the law, step by step, stops before it
-// touches where it comes no faster than the closed form says, and touches where it comes faster.
+// A roller that moves towards a bar through the modelled oil film, step by step, stops before contact if it
+// is no faster than in the closed form, and touches the bar if it is faster.
 TEST(BlowsAreDamped, WhereTheFilmStopsARoller) {
   constexpr double kStopped = 1e-3 * system::kStoppedBlow;  // [m/s]  it stops in no finite time
   constexpr double kMargin = 0.04;                          // the film that opens behind takes 3 % more
@@ -471,7 +468,7 @@ TEST(BlowsAreDamped, WhereTheFilmStopsARoller) {
     }
     return speed;
   };
-  double thin = 1e-3, thick = 0.1;  // [Pa s]  the closed form says yes above some viscosity between them
+  double thin = 1e-3, thick = 0.1;  // [Pa s]  the closed form is met above some viscosity between them
   while (thick / thin > 1.0 + 1e-3) {
     const double middle = std::sqrt(thin * thick);
     (system::blows_are_damped(model_of(middle)) ? thick : thin) = middle;

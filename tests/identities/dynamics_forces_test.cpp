@@ -1,5 +1,5 @@
-// Forces follow from stored energy, bodies act on each other alike and opposite, and nothing dissipative
-// gives power.
+// Forces follow from stored energy, bodies exert equal and opposite forces on each other, and nothing
+// dissipative gives power.
 #include <gtest/gtest.h>
 
 #include "bearing/motion/snapshot.hpp"
@@ -79,13 +79,13 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         point.outer_race = test::bending_race();
         parameters.driving.ramp = 150.0;
         break;
-      case Refinement::squeeze:  // Issue 17, Build 1: oil that is pressed out
+      case Refinement::squeeze:  // squeeze film
         parameters.race.squeeze = true;
         break;
       case Refinement::weight:  // so heavy that it shows beside the contacts
         parameters.gravity = {.across = 5e3, .angle = 0.7};
         break;
-      case Refinement::full_complement:  // Issue 16, Build 8: rollers that touch one another
+      case Refinement::full_complement:  // rollers that touch one another
         bearing = test::full_complement_bearing();
         bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
         break;
@@ -194,8 +194,8 @@ TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
   }
 }
 
-// Forces inside the bearing cancel, and so do their moments about the origin: what Newton and Euler ask for
-// beyond what acts from outside. The pin's moment is that of the power that keeps it turning.
+// Forces inside the bearing cancel, and so do their moments about the origin: Newton and Euler require this
+// apart from external loads. The pin's moment is that of the power that keeps it rotating.
 TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
   point.inner_speed = -300.0;
   const BearingModel model = model_now();
@@ -274,7 +274,7 @@ TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
   EXPECT_NEAR((renamed_dx.tail(rings) - dx.tail(rings)).norm(), 0.0, round_off * dx.tail(rings).norm());
 }
 
-// Issue 16, Build 8: neighbours that do not touch do nothing, as bars that are never reached.
+// Neighbours without contact exert no forces, like bars that are never reached.
 TEST(FullComplement, WithRoomLeftMovesAsInACageOutOfReach) {
   Bearing roomy = test::reducer_bearing();  // 15 rollers where 21 go in
   DynamicsParameters far = test::reducer_parameters();
@@ -314,8 +314,8 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"mixed_lubrication", false, false, TractionLaw::limiting_shear,
                 Refinement::mixed_lubrication},
         Variant{"pocket_film", false, false, TractionLaw::regularised_coulomb, Refinement::pocket_film},
-        // Issue 16, Build 1: waves of an elastic rim are slopes of its energy, and teeth whose forces
-        // fall in a run-up do work on it.
+        // Waves of an elastic rim are slopes of its energy, and teeth whose forces decrease in a run-up do
+        // work on it.
         Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
         Variant{"squeeze", false, false, TractionLaw::regularised_coulomb, Refinement::squeeze},
         Variant{"squeeze_film", true, false, TractionLaw::limiting_shear, Refinement::squeeze},

@@ -158,7 +158,8 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   bodies.pin = outside.body(plane(state.pin_position), plane(state.pin_velocity), 0.0, point.inner_speed);
   bodies.bent = amplitudes(state.wave);
   bodies.bending = amplitudes(state.wave_speed);
-  // The load that is stated holds the planet's inertial load at the pin's axis, which no frame at rest has.
+  // The load that is stated balances the planet's inertial load at the pin's axis, which no inertial frame
+  // has.
   const double orbit = point.carrier.orbit_radius;
   const Plane inertial =
       numbers.bore_mass * orbit * Plane(carrier.speed * carrier.speed, -carrier.acceleration);
@@ -195,7 +196,7 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   return {rates, -found.bore_moment * point.outer_speed - found.pin_moment * point.inner_speed};
 }
 
-// A pin that turns, too: the equations know no standing race.
+// A pin that rotates, too: the equations assume no stationary race.
 OperatingPoint rotating_pin(OperatingPoint point) {
   point.inner_speed = 40.0;  // [rad/s]
   return point;
@@ -235,7 +236,7 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
   const StateLayout& layout = model.layout;
   double open = 0.0, closed = 0.0;
   for (int k = 0; k < kStates; ++k) {
-    const double length = k % 3 == 0 ? 5e-5 : 3e-6;  // [m]  with cage and land touching, or near the balance
+    const double length = k % 3 == 0 ? 5e-5 : 3e-6;  // [m]  cage and land in contact, or near equilibrium
     const Eigen::VectorXd x =
         test::shaken_state(model, bearing, parameters, length, GetParam().shaken, random);
     Eigen::VectorXd dx(x.size());
@@ -277,13 +278,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Seen{"film", 6000.0, 0.0, true, 0.0, 0.02},
                     Seen{"clearance", 6000.0, 37e-6, false, 0.0, 0.02},
                     Seen{"film_clearance", 12000.0, 37e-6, true, 0.0, 0.02},
-                    // Issue 16, Build 1: a bore that bends.
+                    // A bore that bends.
                     Seen{"rim", 6000.0, 0.0, false, 0.0, 0.02, true},
                     Seen{"rim_film", 12000.0, 37e-6, true, 300.0, 0.02, true},
                     Seen{"run_up", 6000.0, 0.0, false, 300.0, 0.02},
-                    // Issue 16, Build 8: rollers that touch one another.
+                    // Rollers that touch one another.
                     Seen{"full_complement", 6000.0, 20e-6, true, 300.0, 0.02, false, false},
-                    // Issue 17, Build 1: oil that is pressed out.
+                    // Squeeze film.
                     Seen{"squeeze_dry", 6000.0, 0.0, false, 0.0, 0.02, false, true, true},
                     Seen{"squeeze_film", 1000.0, 0.0, true, 0.0, 0.02, false, true, true},
                     Seen{"squeeze_clearance", 12000.0, 37e-6, true, 300.0, 0.02, true, true, true},

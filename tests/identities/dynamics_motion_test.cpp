@@ -85,14 +85,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         AuditedVariant{"dry", [](Bearing&, Parameters&) {}},
         AuditedVariant{"film", [](Bearing&, Parameters& p) { p.race.film_in_approach = true; }},
-        // Issue 17, Build 1: what the oil takes that is pressed out is lost, and no more.
+        // Squeeze film: the work of the oil is dissipated, and no more.
         AuditedVariant{"squeeze", [](Bearing&, Parameters& p) { p.race.squeeze = true; }},
         AuditedVariant{"squeeze_film",
                        [](Bearing& b, Parameters& p) {
                          p.race.squeeze = p.race.film_in_approach = true;
                          b.radial_clearance = 20e-6;
                        }},
-        // Issue 16, Build 8: rollers that touch one another.
+        // Rollers that touch one another.
         AuditedVariant{"full_complement",
                        [](Bearing& b, Parameters&) { b = test::full_complement_bearing(); }},
         AuditedVariant{"forms",
@@ -104,14 +104,15 @@ INSTANTIATE_TEST_SUITE_P(
         AuditedVariant{"mixed", [](Bearing&, Parameters& p) { p.race.lubrication = Lubrication::mixed; }},
         AuditedVariant{"pocket_film",
                        [](Bearing&, Parameters& p) { p.cage.pocket_film = PocketFilm::hydrodynamic; }},
-        // Issue 16, Build 2: what turns tilting rollers is lost to their resistance.
+        // Tilting rollers: the work that rotates them is dissipated by their resistance.
         AuditedVariant{"tilting",
                        [](Bearing& b, Parameters&) {
                          b.rollers().laminae = 12;
                          b.rollers().profile = profile::CircularCrown{b.rollers().length, 3e-6};
                        },
                        2e-3},
-        // Issue 16, Build 1: what bends the rim is stored in its waves, moves with them or is lost by them.
+        // Elastic rim: the work that bends it is stored in its waves, moves with them or is dissipated by
+        // them.
         AuditedVariant{"rim", [](Bearing&, Parameters& p) { p.driving.ramp = 200.0; }, 0.0, true},
         // A tenth more speed within that time.
         // Weight that turns against the carrier.
@@ -177,7 +178,7 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
                                random));
   EXPECT_NEAR(std::log2(path.error(Method::rk4, 2e-7) / path.error(Method::rk4, 1e-7)), 4.0, kMargin);
   // Its constants of order 5 are small: the terms of orders 6 and 7 still lead where steps are long enough
-  // for errors to stand above round-off (7e-15 m).
+  // for errors above round-off (7e-15 m).
   const double order =
       std::log2(path.error(Method::fixed_dopri5, 2e-7) / path.error(Method::fixed_dopri5, 1e-7));
   EXPECT_GT(order, 5.0 - kMargin);
@@ -206,7 +207,7 @@ TEST_P(ImpactPath, ConvergesThroughImpacts) {
   }
 }
 
-// Issue 16, Build 8: on pockets, and on neighbours.
+// Impacts on pockets, and on neighbours.
 INSTANTIATE_TEST_SUITE_P(Variants, ImpactPath,
                          testing::Values(&test::reducer_bearing, &test::full_complement_bearing),
                          [](const testing::TestParamInfo<Bearing (*)()>& bearing) {
@@ -236,8 +237,8 @@ TEST(CoriolisSwitch, SeatsUnloadedRollersOfTheSunSideOnThePin) {
 
 class SteadyStateOfRims : public testing::TestWithParam<bool> {};
 
-// The steady state against the quasi-static bearing: the same loads within 2 %. Issue 16, Build 1: on a rim
-// that bends too, whose mean form is that of the balance.
+// The steady state against the quasi-static bearing: the same loads within 2 %. Also on an elastic rim, whose
+// mean form is that of the equilibrium.
 TEST_P(SteadyStateOfRims, AgreesWithTheQuasiStaticBearing) {
   constexpr double kAgreement = 0.02;
   const Bearing bearing = test::reducer_bearing();
@@ -268,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(Rims, SteadyStateOfRims, testing::Bool(),
                            return rim.param ? "elastic" : "rigid";
                          });
 
-// Cage slip of the bearing in a housing at rest, 20 um clearance, one ring turning at 1000 rad/s.
+// Cage slip of the bearing in a stationary housing, 20 um clearance, one ring rotating at 1000 rad/s.
 double slip_in_housing(double OperatingPoint::*rotating, double load) {
   Bearing bearing = test::reducer_bearing();
   bearing.radial_clearance = 20e-6;
@@ -279,9 +280,9 @@ double slip_in_housing(double OperatingPoint::*rotating, double load) {
   return system::run_to_steady_state(bearing, point, test::reducer_parameters(), options).orbit_slip();
 }
 
-// Centrifugal force holds unloaded rollers to the outer race. Where that race stands they brake the cage,
-// where it turns they carry the cage along; a load that presses enough rollers on the inner race holds it to
-// pure rolling.
+// Centrifugal force holds unloaded rollers to the outer race. If that race is stationary they brake the cage,
+// if it rotates they drive the cage; a load that presses enough rollers on the inner race holds it to pure
+// rolling.
 TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
   constexpr double kRolling =
       0.02;  // pockets and clearance let the cage gain or lose about their share of the pitch
@@ -292,9 +293,9 @@ TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
   EXPECT_LT(slip_in_housing(&OperatingPoint::outer_speed, 10.0), -kSkidding);
 }
 
-// A look among the observed windows is asked for once. Where it ends the run, the means are those of a run
-// with so many windows; where it does not, those of a run without it, but for steps that end at the look (and
-// before the last window). Issue 17, Build 3.
+// A look among the observed windows is called once. If it ends the run, the means are those of a run with so
+// many windows; if not, those of a run without it, except for steps that end at the look (and before the last
+// window).
 TEST(SteadyState, EndsAtALookThatSaysSo) {
   constexpr int kAll = 4, kBefore = 2;
   const auto run = [](int windows, const system::Look& look) {

@@ -16,7 +16,7 @@ using constants::two_pi;
 
 constexpr double kLengthError = 2e-10;  // [m]
 
-// So slow a bearing on a carrier that does not rotate that nothing is thrown outward.
+// A bearing so slow, on a carrier that does not rotate, that there are no centrifugal loads.
 OperatingPoint slow_point() {
   OperatingPoint point;
   point.outer_speed = 5.0;  // [rad/s]

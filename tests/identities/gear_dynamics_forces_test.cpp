@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, GearDynamicsIdentity,
                                          Variant{"run_up", true, true, false},
                                          Variant{"back_flank", true, false, true},
                                          Variant{"affine_bearing", true, false, false, true},
-                                         // Issue 16, Build 4
+                                         // Teeth under load.
                                          Variant{"loaded_teeth", true, false, false, false, true},
                                          Variant{"loaded_run_up", true, true, true, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
@@ -206,7 +206,7 @@ TEST(GearDynamicsMatrices, AreTheSlopesOfTheForces) {
   EXPECT_LT((moved - at_rest - linear).norm(), 1e-12 * moved.norm());
 }
 
-// With the drive's torques in balance, the whole set may turn: no force, at any carrier speed.
+// With the drive's torques in equilibrium, the whole set may rotate: no force, at any carrier speed.
 TEST(GearDynamicsRigidBody, TurnsFreely) {
   const SetParameters parameters = test::reducer_dynamics();
   const SetModel model = set_model(parameters, test::reducer_operation(628.0));

@@ -107,7 +107,7 @@ TEST(GearDynamicsMotion, WorkBalancesInARunUpWithPartingTeethAndErrors) {
   EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
 }
 
-// Issue 16, Build 4: teeth under load take no work at jumps, since there are none.
+// Teeth under load do no work at jumps, since there are none.
 TEST(GearDynamicsMotion, WorkBalancesWithLoadedTeeth) {
   SetParameters set = test::reducer_dynamics();
   test::load_teeth(set);
@@ -119,7 +119,7 @@ TEST(GearDynamicsMotion, WorkBalancesWithLoadedTeeth) {
   EXPECT_EQ(balance.at_jumps, 0.0);
 }
 
-// Issue 16, Build 4: at rest on springs about the mean load, which the teeth themselves answer on the mean.
+// Static position on springs about the mean load, which the teeth themselves carry on the mean.
 TEST(GearDynamicsLimits, LoadedTeethRestUnderTheirMeanLoad) {
   const PlanetarySet set = reducer();
   const Drive drive{Member::sun, 150e3, 104.72};
@@ -268,7 +268,7 @@ TEST_F(GearRun, PlanetsOfEqualPhaseStepsAreAlike) {
   EXPECT_TRUE(result.steady);
   const study::PlanetStatistics& first = result.planets.front();
   for (const study::PlanetStatistics& planet : result.planets) {
-    // What a drift between two windows may leave, and the allowed error of the steps.
+    // Tolerance for the drift between two windows and for the allowed error of the steps.
     EXPECT_NEAR(planet.radial_acceleration.rms, first.radial_acceleration.rms,
                 2e-2 * first.radial_acceleration.rms);
     EXPECT_NEAR(planet.load_share, 1.0, 1e-3);
@@ -276,7 +276,7 @@ TEST_F(GearRun, PlanetsOfEqualPhaseStepsAreAlike) {
   }
 }
 
-// What the torques ask of the meshes on the mean, and no planet goes away: means over whole mesh periods hold
+// The torques determine the mean mesh forces, and no planet moves away: means over whole mesh periods hold
 // where the stiffness jumps too, though forces and accelerations there have two values.
 TEST_F(GearRun, MeansAreThoseOfTheTorqueBalance) {
   constexpr double kForce = 1e-3;        // [-]
@@ -320,7 +320,7 @@ TEST_F(GearRun, HarmonicsRebuildTheSeries) {
   EXPECT_NEAR(force.amplitudes[0], std::hypot(force.cosines[0], force.sines[0]), 1e-12 * force.amplitudes[0]);
 }
 
-// Issue 16, Build 4: teeth that come gradually shake the planets less than those that come all at once.
+// Teeth that engage gradually excite the planets less than those that engage at once.
 TEST_F(GearRun, LoadedTeethCarryTheMeanLoads) {
   SetParameters set = test::reducer_dynamics();
   test::load_teeth(set);

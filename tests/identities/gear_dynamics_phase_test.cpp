@@ -66,7 +66,7 @@ class PhaseRule : public testing::TestWithParam<Set> {};
 TEST_P(PhaseRule, TellsTheKindOfEachHarmonic) {
   const SetModel model = with_phases(GetParam().sun_teeth, GetParam().ring_teeth);
   const MatrixXcd amplitude = harmonics(model);
-  // What the transient left after 600 periods, the allowed error of the steps, and rotation as a rigid body.
+  // Remaining transient after 600 periods, the allowed error of the steps, and rotation as a rigid body.
   constexpr double leak = 1e-4;  // [-]  share of energy
   for (int l = 1; l <= kHarmonics; ++l) {
     const KindShares shares = kind_shares(model, amplitude.col(l - 1));

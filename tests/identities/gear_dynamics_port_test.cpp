@@ -60,7 +60,7 @@ TEST(GearDynamicsPort, CarriesTheAffineBearingsForce) {
   EXPECT_LT((dx - dx_coupled).norm(), 1e-12 * dx.norm());
 }
 
-// What the port adds to the balance is force times velocity and moment times speed, in any state.
+// The port adds force times velocity and moment times speed to the power balance, in any state.
 TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
   SetParameters parameters = test::full_set();
   parameters.planet.coupled_bearing = true;
@@ -85,8 +85,8 @@ TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
   }
 }
 
-// Where the load yields, moments of the bearings do no work on the set as it turns as a whole, whichever
-// member delivers; where it does not, they do what they do at the nominal rotation.
+// If the load yields, moments of the bearings do no work on the set as it rotates as a whole, whichever
+// member delivers; if it does not, their work is that at the nominal rotation.
 TEST(GearDynamicsPort, FrictionDoesNotSlowASetWhoseLoadYields) {
   SetParameters parameters = test::reducer_dynamics();
   parameters.planet.coupled_bearing = true;

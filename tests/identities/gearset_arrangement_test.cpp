@@ -1,5 +1,5 @@
-// Random arrangements of up to four sets: solved or refused, never a number that is none; where solved, every
-// equation holds, and where refused, an independent count of ranks says so too.
+// Random arrangements of up to four sets: solved or refused, never with numbers that are none; where solved,
+// every equation holds, and where refused, an independent count of ranks confirms it.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>

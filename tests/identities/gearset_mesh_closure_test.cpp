@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double root_round_off = 1e-10;  // [rad] the centre distance comes from a root finder
 
-// Issue 16, Build 3: helical teeth too, in the transverse section.
+// Helical teeth too, in the transverse section.
 std::vector<PlanetarySet> straight_and_helical() {
   std::vector<PlanetarySet> sets = all_sets();
   sets.push_back(wind_stage());

@@ -1,4 +1,4 @@
-// What must hold for every contact of half-spaces: load, moment, energy, symmetry, likeness.
+// Properties of every contact of half-spaces: load, moment, energy, symmetry, similarity.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -18,7 +18,7 @@ using Eigen::ArrayXd;
 constexpr double kRoundOff = 1e-11;  // sums over thousands of elements, solved with matrices of condition 1e3
 constexpr double kStep = 1e-3;       // of approach or tilt
 constexpr double kDifference = 1e-5;  // C kStep^2 of central differences; loaded elements come and go by one
-constexpr double kSolver = 1e-10;     // tolerance asked for here
+constexpr double kSolver = 1e-10;     // tolerance required here
 constexpr double kMisfit = 1e-9;      // widths to kSolver move displacements by about as much
 const double kTenthOfRoundOff = 1e-12;  // gradients stop as far from symmetry as from the solution
 const StripSettings kStrips{.tolerance = kSolver};

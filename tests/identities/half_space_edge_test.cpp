@@ -60,7 +60,7 @@ TEST(HalfSpaceEdge, FreeEndIsLessStiffAndCarriesLess) {
   const double corrected = sharp(EndSurface::corrected, 64).edge_ratio;
   EXPECT_GT(plain, 1.2 * mirrored);
   EXPECT_GT(mirrored, 1.1 * corrected);
-  EXPECT_GT(corrected, 1.1);  // a race that goes on still dents at the corner
+  EXPECT_GT(corrected, 1.1);  // a race that continues still dents at the corner
 }
 
 TEST(HalfSpaceEdge, LogarithmicProfileRemovesThePeak) {

@@ -1,5 +1,5 @@
 // Tapered rollers cut into laminae: against laminae in space of a second program, whole contacts, slopes of
-// the energy, finer laminae. Issue 48, Build 2.
+// the energy, finer laminae.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,8 @@ InclinedPlanet planet_on(const Bearing& bearing, const PlanetRows& rows, double 
 
 const PlanetLoad kLoad{.force = {900.0, 2600.0}, .axial = 120.0, .moment = {14.0, -5.0}};
 
-// The geometry once more: rows stand at the middles of their rollers, lines of contact lean by the angle.
+// The geometry once more: rows are at the middles of their rollers, lines of contact are inclined by the
+// angle.
 std::vector<reference::LaminaRoller> drawn(const InclinedPlanet& planet, const Bearing& bearing,
                                            const PlanetRows& rows, double first) {
   std::vector<reference::LaminaRoller> all;
@@ -155,13 +156,13 @@ TEST(InclinedLaminae, FinerLaminaeConvergeAndATiltLoadsOneEnd) {
   Eigen::Index roller = 0;
   result.rows[0].outer_load.maxCoeff(&roller);
   EXPECT_NEAR(along.col(roller).sum() / result.rows[0].outer_load[roller], 1.0, 1e-9);
-  // A planet whose axis leans outward at +z relieves that end of the rollers where it leans to.
+  // A planet whose axis is inclined outward at +z relieves that end of the rollers.
   const Eigen::Vector2d to(std::cos(result.angle[roller]), std::sin(result.angle[roller]));
   const double lean = result.tilt.dot(to), slope = along(29, roller) - along(0, roller);
   EXPECT_LT(lean * slope, 0.0);
 }
 
-// All in balance: rows' forces and moments hold the load.
+// All in equilibrium: rows' forces and moments balance the load.
 TEST(InclinedLaminae, HoldTheLoadAndItsMoment) {
   PlanetRows rows = pair();
   rows.preload = 800.0;

@@ -112,7 +112,7 @@ TEST(InclinedRows, SphericalBearingsLoadTheirRollersAsSpringsInSpace) {
     const PlanetRows rows = spherical();
     const InclinedPlanet planet = planet_on(bearing, rows, {0.0}, at_speed(9000.0));
     EXPECT_FALSE(planet.holds_tilt());
-    // Normals meet in the middle: rows stand where they do so.
+    // Normals meet in the middle: rows are where they do so.
     const double middle = 0.5 * bearing.pitch_diameter * std::tan(rows.contact_angle);
     const PlanetLoad load{.force = {900.0, 2600.0}, .axial = 200.0};
     expect_like_springs(
@@ -190,7 +190,7 @@ TEST(InclinedRows, WithoutContactAngleIsTheCylindricalBearing) {
   }
 }
 
-// [ISO16281]: the row of balls of the static balance, whose load moves the inner ring.
+// [ISO16281]: the row of balls of the static equilibrium, whose load moves the inner ring.
 TEST(InclinedRows, BallsAtRestAreThoseOfTheStaticBalance) {
   Bearing bearing = roller_row(8e-6);
   bearing.elements = Balls{.count = 9, .diameter = 6e-3};

@@ -1,6 +1,6 @@
-// Issue 15: ball bearings drawn at random, RANDOM_BALANCES of them: any valid geometry, rings at up to 15000
-// rpm, loads over five decades, radial, axial, inclined, with moments, with a given tilt, every closure. Each
-// finds its balance, or the reason why there is none.
+// Ball bearings drawn at random, RANDOM_BALANCES of them: any valid geometry, rings at up to 15000 rpm, loads
+// over five decades, radial, axial, inclined, with moments, with a given tilt, every closure. Each finds its
+// equilibrium, or the reason why there is none.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ class Draws {
     Drawn drawn{.bearing = bearing(), .motion = motion(), .load = {}};
     const Balls& balls = drawn.bearing.balls();
     const double capacity =
-        1e7 * balls.diameter * balls.diameter * balls.count;  // [N]  that of balls at rest
+        1e7 * balls.diameter * balls.diameter * balls.count;  // [N]  that of stationary balls
     drawn.load = load(capacity * std::pow(10.0, between(-5.0, -0.3)), drawn.bearing.pitch_diameter);
     return drawn;
   }

@@ -1,4 +1,4 @@
-// What must hold for every bearing on laminae: profiles, tilts, loads and motions drawn at random.
+// Properties of every bearing on laminae: profiles, tilts, loads and motions drawn at random.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,10 +1,8 @@
-// Where contact begins in both meshes of a planet, measured on drawn teeth.
+// Begin of contact in both meshes of a planet, measured on drawn teeth.
 //
 //      sun           planet, axis of a tooth      ring       The planet turns clockwise by steps; at each,
-//      sun
-//     (-a, 0)  )    (0, 0)  at the angle theta  )            and ring are turned up to its flanks, and the
-//     pairs
-//                                                            of teeth that touch are counted.
+//     (-a, 0)  )    (0, 0)  at the angle theta  )            sun and ring are turned up to its flanks, and
+//                                                            the pairs of teeth that touch are counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,8 +118,8 @@ double drawn_lag(const WorkingGeometry& g, bool sun_drives) {
   return contact_begins(ring) - contact_begins(sun);
 }
 
-// Of contact recognised by a gap of 1e-11 m between flanks whose radii differ like 1/(1 m): sqrt(2e-11 m * 1
-// m) = 4 um of some 6 mm, and half of the last step.
+// Error of the drawing: contact is recognised by a gap of 1e-11 m between flanks whose radii differ like 1/(1
+// m): sqrt(2e-11 m * 1 m) = 4 um of some 6 mm, and half of the last step.
 constexpr double of_the_drawing = 1e-3;  // [mesh period]
 
 TEST(MeshPhase, OfRingAndSunMeshIsThatOfDrawnTeeth) {
@@ -137,7 +135,7 @@ TEST(MeshPhase, OfRingAndSunMeshIsThatOfDrawnTeeth) {
   }
 }
 
-// Both meshes of a planet lag alike behind those of the first planet: the condition of assembly.
+// Both meshes of a planet lag equally behind those of the first planet: the condition of assembly.
 TEST(MeshPhase, OfSunAndRingMeshShiftTogetherFromPlanetToPlanet) {
   for (const PlanetarySet& set : all_sets()) {
     for (const bool anticlockwise : {true, false}) {

@@ -1,5 +1,5 @@
-// Issue 15: elliptical contacts drawn at random, RANDOM_FILMS of them, which no other test knows: each film
-// is solved, and its oil kept, or reported as not solved after at most 60 cycles on the finest grid.
+// Elliptical contacts drawn at random, RANDOM_FILMS of them, which no other test uses: each film is solved,
+// and its oil conserved, or reported as not solved after at most 60 cycles on the finest grid.
 #include <gtest/gtest.h>
 
 #include <cmath>

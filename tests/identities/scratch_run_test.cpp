@@ -1,4 +1,4 @@
-// What holds for every bearing with scratches.
+// Properties of every bearing with scratches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +71,7 @@ TEST(ScratchRun, MeanForcesBalance) {
   }
 }
 
-// What the shaft turned is the integral of its speed, and goes on at the speed of the end.
+// The angle of the shaft is the integral of its speed, and continues at the speed of the end.
 TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   const bearing::defect::RunUp run_up{.from = 0.3, .time = 2.0};
   EXPECT_EQ(run_up.share_at(0.0), 0.3);
@@ -85,8 +85,8 @@ TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   EXPECT_EQ(bearing::defect::RunUp{}.turned_at(0.123), 0.123);
 }
 
-// As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring
-// follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
+// The requested number of revolutions, the speed of the case at the last of them; the displacement of the
+// ring follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
 TEST(ScratchRun, RunsUpOverTheRevolutionsAskedFor) {
   const ScratchedBearing in = scratched(Scratched::inner);
   Sampling sampling = brief();

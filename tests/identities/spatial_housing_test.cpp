@@ -1,5 +1,5 @@
 // A housing that deflects under the bearings of the carrier: forces of its energy, series of springs, limits,
-// and matrices that are no stiffness. Issue 48, Build 3.
+// and matrices that are no stiffness.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -44,7 +44,7 @@ SpatialLoad loaded() {
           .rotor = {{1e4, -3e4, 2e4}, {5e4, 2e4, 0.0}}};
 }
 
-// Of two seats, coupled, unlike across and upward.
+// Matrix of two seats, coupled, different across and upward.
 MatrixXd housing() {
   std::mt19937 random(48);
   std::normal_distribution<double> any;
@@ -123,8 +123,8 @@ TEST(SpatialHousing, StiffHousingIsTheRigidOne) {
             1e-4 * rigid.bearing_load.maxCoeff());
 }
 
-// What stands with the housing turns in the frame of the carrier: half a turn later all seats deflect alike
-// in the housing under a load that stands with it.
+// A matrix that is fixed to the housing rotates in the frame of the carrier: half a turn later all seats
+// deflect alike in the housing under a load that is fixed to it.
 TEST(SpatialHousing, MatrixStandsWithTheHousing) {
   SpatialSet set = stage(0.0);
   set.planet_mass = set.sun_mass = 0.0;

@@ -1,5 +1,5 @@
 // Natural frequencies of a planetary set in three dimensions: a body on its bearings by closed form, and the
-// set in its plane as the model of the plane has it. Issue 48, Build 4.
+// set in its plane compared with the model of the plane.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ void expect_like_the_plane(const MovingSet& all, double least_share) {
   }
 }
 
-// Spur gears on bearings that stand alike on both sides: motion in the plane knows nothing of the rest.
+// Spur gears on bearings that are alike on both sides: motion in the plane is decoupled from the rest.
 TEST(SpatialModes, SpurGearsSwingInTheirPlaneAsTheModelOfThePlaneHasIt) {
   MovingSet all = moving(0.0);
   expect_like_the_plane(all, 1.0 - 1e-9);
@@ -117,7 +117,7 @@ TEST(SpatialModes, HelicalGearsHeldAlongTheirAxesSwingAsTheModelOfThePlaneHasIt)
   expect_like_the_plane(all, 0.9);
 }
 
-// A carrier by itself on unlike bearings, its centre of mass beside the middle of the face.
+// A single carrier on different bearings, its centre of mass beside the middle of the face.
 TEST(SpatialModes, ACarrierAloneSwingsOnItsBearingsByClosedForm) {
   MovingSet all = moving(kHelix);
   all.set.sun.stiffness = all.set.ring.stiffness = 0.0;

@@ -1,5 +1,5 @@
-// A planetary set in three dimensions at rest: its forces are those of its energy, and what symmetry, free
-// bodies and closed forms say of it. Issue 48, Build 4.
+// A planetary set in three dimensions without rotation: its forces are those of its energy; symmetry, free
+// bodies and closed forms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr int kSlices = 40;
-constexpr double kRoundOff = 1e-8;  // of forces of one balance, found to 1e-12 of the largest
+constexpr double kRoundOff = 1e-8;  // of forces of one equilibrium, found to 1e-12 of the largest
 constexpr double kGravity = 9.81;   // [m/s2]
 
 // 21/39/99 of module 10 mm at 7.5 degrees; stiffnesses and masses as such a stage has them.
@@ -51,8 +51,8 @@ double sun_base_radius(const SpatialSet& set) {
   return set.centre_distance * std::cos(set.sun.pressure_angle) - set.planet_base_radius;
 }
 
-// Of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it by
-// `angular`.
+// Compliance of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it
+// by `angular`.
 Eigen::MatrixXd sleeve(const SpatialSet& set, double radial, double angular) {
   Eigen::VectorXd position(static_cast<Eigen::Index>(set.planet_bearings.size()));
   for (std::size_t r = 0; r < set.planet_bearings.size(); ++r)
@@ -181,8 +181,8 @@ TEST(SpatialSet, WhatHoldsAPlanetHoldsItsWeight) {
   }
 }
 
-// On stiff pins the weight of a planet turns in its bearings once a revolution, and the meshes feel nothing
-// of it.
+// On stiff pins the weight of a planet rotates in its bearings once a revolution, and does not affect the
+// meshes.
 TEST(SpatialSet, GravityIsALoadOnceARevolution) {
   SpatialSet set = wind_stage(0.0);
   for (PlanetBearing& bearing : set.planet_bearings) bearing.radial_stiffness = 1e13;
@@ -273,7 +273,7 @@ TEST(SpatialSet, BackFlanksTouchAfterTheBacklash) {
   const double travel = backlash / std::cos(set.sun.pressure_angle);
   VectorXd position = VectorXd::Zero(30);
   const auto force_at = [&](double tangential) {
-    position[12 + 1] = tangential;  // of the first planet, which stands at angle 0
+    position[12 + 1] = tangential;  // of the first planet, which is at angle 0
     SpatialSet alone = set;
     alone.ring.stiffness = 0.0;
     for (PlanetBearing& bearing : alone.planet_bearings) bearing.radial_stiffness = 0.0;
@@ -298,7 +298,7 @@ TEST(SpatialSet, BackFlanksChangeNothingUnderLoad) {
   EXPECT_TRUE((with.bearing_load.array() == without.bearing_load.array()).all());
 }
 
-// What a mesh carries over its face: the sum is the force, the largest over the mean is K_Hbeta.
+// Load of a mesh over its face: the sum is the force, the largest over the mean is K_Hbeta.
 TEST(SpatialSet, LoadOverTheFaceIsThatOfTheMesh) {
   const SpatialSet set = wind_stage();
   SpatialLoad load = rated();
@@ -317,8 +317,8 @@ TEST(SpatialSet, LoadOverTheFaceIsThatOfTheMesh) {
     }
 }
 
-// A moment of the rotor tilts the carrier, and planets follow it: between bore and pin remains what the
-// meshes hold. The axis leans as the rows carry unlike loads.
+// A moment of the rotor tilts the carrier, and planets follow it: the tilt between bore and pin is that which
+// the meshes hold. The axis is inclined as the rows carry unequal loads.
 TEST(SpatialSet, TiltOfABoreIsThatOfItsRows) {
   const SpatialSet set = wind_stage();
   SpatialLoad load = rated();

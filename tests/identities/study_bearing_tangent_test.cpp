@@ -23,8 +23,8 @@ Vector2d bore_displacement(const PlanetaryDrivetrain& drivetrain, const Vector2d
 }
 
 // A roller that just touches is as stiff as the ninth root of its approach, so that the slope over a finite
-// step is that of no single place for a few of the 240 rollers and places. Balances are good to 1e-9 N, a
-// millionth of the step.
+// step is that of no single position for a few of the 240 rollers and positions. Equilibria are accurate to
+// 1e-9 N, a millionth of the step.
 constexpr double kSlopeDifference = 1e-4;
 
 TEST(BearingTangent, IsTheSlopeOfLoadOverDisplacement) {
@@ -56,7 +56,7 @@ TEST(BearingTangent, CarriesTheMeanLoadAtTheMeanDisplacement) {
   EXPECT_LT((carried - drivetrain.bearings_per_planet * load).norm(), 1e-9 * load.norm());
 }
 
-// A support a thousand times softer than the rollers is all that is felt, its damper too.
+// With a support a thousand times softer than the rollers only the support counts, its damper too.
 TEST(BearingTangent, OnASoftSupportIsThatOfTheSupport) {
   PlanetaryDrivetrain drivetrain = reducer();
   bearing::motion::SupportParameters& support = drivetrain.dynamics.support;
@@ -79,9 +79,9 @@ TEST(BearingTangent, OnARigidSupportIsThatOfTheRollers) {
   drivetrain.dynamics.inertia = {
       .own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   const gearset::dynamics::AffineBearing law = bearing_tangent(drivetrain, derive(drivetrain));
-  // Both contacts of a roller carry the same load then, and its pair is as stiff as 10/9 Q over half of what
-  // both approach: damping / stiffness = lambda Q/2 / (dQ/d(2 approach)), alike but for the power 1/10 of the
-  // load.
+  // Both contacts of a roller carry the same load then, and its pair is as stiff as 10/9 Q over half of the
+  // approach of both: damping / stiffness = lambda Q/2 / (dQ/d(2 approach)), equal but for the power 1/10 of
+  // the load.
   const bearing::QuasiStaticResult still =
       bearing::quasi_static_bearing(drivetrain.bearing, bearing_duty(drivetrain, derive(drivetrain)).point,
                                     {.inertia = drivetrain.dynamics.inertia});
@@ -97,8 +97,8 @@ TEST(BearingTangent, OnARigidSupportIsThatOfTheRollers) {
   EXPECT_LT((law.damping - damping).norm(), 0.02 * damping.norm());
 }
 
-// Contacts of unlike slopes a and b, by their films and loads: (Q_i a^2 + Q_o b^2)/(a + b)^2 lambda of each
-// roller, at one position of the cage.
+// Contacts of different slopes a and b, by their films and loads: (Q_i a^2 + Q_o b^2)/(a + b)^2 lambda of
+// each roller, at one position of the cage.
 TEST(BearingTangent, DampsByTheSlopesOfFilmedContacts) {
   PlanetaryDrivetrain drivetrain = reducer();
   drivetrain.dynamics.support = {.stiffness = 1e15, .damping_ratio = 0.0};

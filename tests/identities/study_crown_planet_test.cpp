@@ -1,4 +1,4 @@
-// Issue 16, Build 9: crowning where the planet finds its tilt on its pin.
+// Crowning with a computed tilt of the planet on its pin.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace orbearing::study::crowning::study_crown_planet_test {
 namespace {
 
-// The search within a balance ends at 1e-12 of the load; other instruction sets add up in another order.
+// The search for an equilibrium ends at 1e-12 of the load; other instruction sets add up in another order.
 constexpr double kBalance = 1e-8;
 
 PlanetaryDrivetrain tilting() {
@@ -51,7 +51,7 @@ TEST(CrownOfAPlanet, StraightItHasTheLifeOfASweep) {
             1.05);  // by clearance alone
 }
 
-// What a study adds to the inclination is what a case states of it.
+// An inclination that a study adds has the same effect as one that a case states.
 TEST(CrownOfAPlanet, LeansAsItsPinIsInclined) {
   PlanetaryDrivetrain inclined = tilting();
   inclined.seats.radial_inclination = 0.1e-3;
@@ -61,11 +61,11 @@ TEST(CrownOfAPlanet, LeansAsItsPinIsInclined) {
   EXPECT_LT(stated, 0.9 * life_hours(problem_of(tilting()), kStraight, Lean::Zero()));
 }
 
-// Bearings alike on a pin that does not bend, in meshes without tilt stiffness: one bearing that does not
-// lean.
+// Equal bearings on a pin that does not bend, in meshes without tilt stiffness: one bearing that does not
+// tilt.
 TEST(CrownOfAPlanet, OnAStiffPinIsOneBearingThatStandsLevel) {
   PlanetaryDrivetrain drivetrain = tilting();
-  drivetrain.bearing.material.youngs_modulus = 206e16;  // Palmgren's dry contacts know none
+  drivetrain.bearing.material.youngs_modulus = 206e16;  // Palmgren's dry contacts have none
   drivetrain.seats.span = 0.0281;
   const CrownProblem planet = problem_of(drivetrain);
   drivetrain.seats.tilt = TiltState::stated;

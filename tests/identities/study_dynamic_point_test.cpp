@@ -143,7 +143,8 @@ TEST(StudyDynamicPoint, BearingsOfAPlanetShareItsMass) {
   }
 }
 
-// What a run-up makes of the speeds it passes: each uses up life by the passages at it and by its own load.
+// Life of a run-up over the speeds that it passes: each contributes damage by the passages at it and by its
+// own load.
 TEST(StudyDynamicPoint, RunUpLivesAsTheSpeedsThatItPasses) {
   PlanetaryDrivetrain drivetrain = short_run();
   drivetrain.dynamics.inertia.euler = false;  // what the quasi-static bearing has not

@@ -16,8 +16,8 @@ using constants::degree;
 constexpr double kTwoSearches =
     1e-6;  // relative: both rows end within 1e-9 of the force, lives go with p = 4
 
-// Without shifts both meshes push radially alike: the load on the bearings is tangential, along y, and so is
-// the axis of the moment of helical teeth. Nothing else acts.
+// Without shifts both meshes push radially by equal forces: the load on the bearings is tangential, along y,
+// and so is the axis of the moment of helical teeth. Nothing else acts.
 PlanetaryDrivetrain inclined_reducer(double helix) {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.set.ring_teeth = 81;
@@ -39,8 +39,8 @@ PlanetaryDrivetrain on_tapered_pair() {
   return drivetrain;
 }
 
-// Half a turn about the load's direction maps each row onto the other, end for end. Both live alike, and so
-// do all rollers taken together as those of one row, if their laminae count from the same end.
+// Half a turn about the load's direction maps each row onto the other, end for end. Both have equal lives,
+// and so do all rollers taken together as those of one row, if their laminae are numbered from the same end.
 TEST(InclinedPoint, BothRowsOfAPairAreOneAfterHalfATurn) {
   const PlanetaryDrivetrain drivetrain = on_tapered_pair();
   const PointResult found = evaluate(drivetrain, derive(drivetrain));
@@ -57,7 +57,7 @@ TEST(InclinedPoint, BothRowsOfAPairAreOneAfterHalfATurn) {
     EXPECT_NEAR(second.rated_hours.*life / (first.rated_hours.*life), 1.0, kTwoSearches);
     EXPECT_NEAR(found.rating.hours.*life / (first.rated_hours.*life), 1.0, kTwoSearches);
   }
-  // Not for want of a difference: the moment loads the ends of the rollers unlike.
+  // There is a difference: the moment loads the ends of the rollers unequally.
   ASSERT_TRUE(found.laminae.has_value());
   const Eigen::Map<const Eigen::ArrayXXd> loads(found.laminae->outer_load.data(), 20,
                                                 static_cast<Eigen::Index>(found.distribution.angle.size()));

@@ -9,8 +9,8 @@
 namespace orbearing::study::study_lamina_motion_test {
 namespace {
 
-// Rollers in motion, without what the meshes' vibration adds, live within this as rollers at rest: a load
-// within a per cent and a quarter.
+// Lives of rollers in motion, without the vibration of the meshes, are within this of quasi-static ones: a
+// load within one and a quarter per cent.
 constexpr double kMotion = 0.05;
 
 PlanetaryDrivetrain aligned_gears() {
@@ -55,7 +55,7 @@ TEST(LaminaMotion, PressureOfWholeRollersAsAtRest) {
   EXPECT_NEAR(moving.contact_pressure / still.contact_pressure, 1.0, kMotion);
   const double even =
       largest_hertz_pressure(drivetrain, derive(drivetrain), moving.inner.load_max, moving.outer.load_max);
-  EXPECT_GT(moving.contact_pressure, 1.1 * even);  // or the profile would not be seen
+  EXPECT_GT(moving.contact_pressure, 1.1 * even);  // or the profile had no visible effect
 }
 
 TEST(LaminaMotion, LivesInOneSystemAsAtRest) {
@@ -65,7 +65,7 @@ TEST(LaminaMotion, LivesInOneSystemAsAtRest) {
   const PointResult still = point(drivetrain), moving = point(drivetrain, Fidelity::monolithic);
   EXPECT_NEAR(moving.life_hours / still.life_hours, 1.0, kMotion);
   drivetrain.misalignment = {};
-  EXPECT_GT(point(drivetrain).life_hours, 1.2 * still.life_hours);  // or the tilt would not be seen
+  EXPECT_GT(point(drivetrain).life_hours, 1.2 * still.life_hours);  // or the tilt had no visible effect
 }
 
 }  // namespace

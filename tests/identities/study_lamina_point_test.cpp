@@ -36,7 +36,7 @@ TEST(LaminaPoint, StraightAndLevelIsTheUncutPoint) {
   }
 }
 
-// Issue 44, item 16: the least film of a race is that under its most loaded roller.
+// The least film of a race is that under its most loaded roller.
 TEST(LaminaPoint, HasItsLeastFilmUnderTheLargestLoad) {
   const PlanetaryDrivetrain drivetrain = example::reducer();
   const DrivetrainGeometry geometry = derive(drivetrain);

@@ -17,8 +17,8 @@ namespace {
 using example::reducer;
 using example::rpm;
 
-// The ratios of an arrangement come from a linear solver, those of a set alone from a quotient; the races
-// balance to 1e-12 and life takes the fourth power.
+// The ratios of an arrangement come from a linear solver, those of a single set from a quotient; the loads of
+// the races balance to 1e-12 and life takes the fourth power.
 constexpr double same = 1e-9;
 
 NamedSet named(const std::string& name, PlanetaryDrivetrain drivetrain) {
@@ -65,7 +65,7 @@ TEST(MultiStage, InSeriesAreAsEachAloneAtItsOwnSpeed) {
   expect_equal(both.system_life_hours, std::pow(together, -8.0 / 9.0));
 }
 
-// Issue 44, item 16: of several sets, too, each life of all is made of those lives.
+// With several sets, too, each life of the whole is computed from the same lives of the sets.
 TEST(MultiStage, HaveASystemsLivesOfTheSameLives) {
   std::vector<NamedSet> sets = pair_in_series();
   double kappa = 0.7;
@@ -92,8 +92,9 @@ TEST(MultiStage, OneWithoutANameIsItself) {
   EXPECT_TRUE(one.limiting_set.empty());
 }
 
-// The carrier's own speed, not the motor's, makes the inertial loads: with the ring turning forwards beside
-// the sun the planets stand still in the carrier's frame at w_s = w_r, and the whole set turns as one.
+// The carrier's own speed, not the motor's, determines the inertial loads: with the ring rotating forwards
+// beside the sun the planets are stationary in the carrier's frame at w_s = w_r, and the whole set rotates as
+// one.
 TEST(MultiStage, CarrierFrameTurnsWithItsOwnCarrier) {
   PlanetaryDrivetrain drivetrain = reducer();
   const double ring_speed = 0.5;

@@ -137,8 +137,8 @@ TEST(OneWay, DrivesThePlanetsMassWithTheMeshForces) {
   }
 }
 
-// Where the second mesh harmonic meets the mode in which planets swing on their bearings, one pass on the
-// tangent is off by a fifth or more of the life.
+// At the speed where the second mesh harmonic meets the mode in which planets swing on their bearings, one
+// pass on the tangent is off by a fifth or more of the life.
 TEST(OneWay, LivesAsInOneSystemInTheDip) {
   const PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);
   const DrivetrainGeometry geometry = derive(drivetrain);
@@ -151,8 +151,8 @@ TEST(OneWay, LivesAsInOneSystemInTheDip) {
   EXPECT_NEAR(one_way.life_hours / one_system.life_hours, 1.0, 0.07);
 }
 
-// Issue 44, first use: rollers in the planet's own bore. What round-off leaves between race and seat is no ring, and
-// would be shaken without bound ("no step was small enough").
+// Rollers in the planet's own bore. The round-off between race and seat is no ring, and would be shaken
+// without bound ("no step was small enough").
 TEST(OneWay, WithoutAnOuterRingThePlanetMoves) {
   PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);
   drivetrain.steady_state.observed_windows = 1;
@@ -167,7 +167,7 @@ TEST(OneWay, WithoutAnOuterRingThePlanetMoves) {
   EXPECT_NEAR(lives[1] / lives[0], 1.0, 0.05);  // motion scatters
 }
 
-// Issue 44, item 16: stiffness, damping and the mean load all have to be within what is allowed.
+// Stiffness, damping and the mean load must all be within the allowed change.
 TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
   constexpr double any = 1e9;
   PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);
@@ -190,9 +190,9 @@ TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
   EXPECT_FALSE(accepted(any, any, 0.0));
 }
 
-// Without backlash planets that are thrown outward press their back flanks on the ring: the gears carry
-// another mean load than the torques give, the bearing is driven with that of the torques, and the point is
-// not accepted.
+// Without backlash the centrifugal load of planets presses their back flanks on the ring: the gears carry
+// another mean load than by the torques, the bearing is driven with that of the torques, and the point is not
+// accepted.
 TEST(OneWay, SaysWhereDisplacedPlanetsUseUpTheBacklash) {
   for (const bool tight : {false, true}) {
     PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);

@@ -1,4 +1,4 @@
-// Where life peaks over speed at constant power: scaling law, closed forms and published points.
+// Speed of the longest life at constant power: scaling law, closed forms and published points.
 //
 //   tangential load A/n, radial mesh load C/n inward, centrifugal load B n^2 outward
 //

@@ -1,4 +1,4 @@
-// Planets whose pins stand off their places: who carries how much, and that every fidelity says the same.
+// Planets on pins with position errors: their load sharing, and that every fidelity gives the same.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -19,7 +19,7 @@ namespace {
 constexpr double kBalance = 1e-6;  // of a load: the search ends at 1e-9 of the largest, gears take part of it
 constexpr double kRoundOff = 1e-9;
 
-// The first pin ahead of its place by `error` [m]; no case here parts the teeth unless it says so.
+// The first pin ahead of its position by `error` [m]; no case here separates the teeth unless stated.
 PlanetaryDrivetrain displaced(int planets, double error, bool floating_sun) {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.set.planets = planets;
@@ -51,18 +51,19 @@ TEST(LoadSharing, OfThreePlanetsAboutAFloatingSunIsEven) {
   for (const double share : shares_of(displaced(3, 5e-6, true))) EXPECT_NEAR(share, 1.0, kBalance);
 }
 
-// Four about a floating sun: its balance leaves pairs of opposite planets alike, and the torque the sum.
+// Four about a floating sun: its equilibrium gives equal loads in pairs of opposite planets, and the torque
+// the sum.
 TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
   const std::vector<double> shares = shares_of(displaced(4, 5e-6, true));
   EXPECT_NEAR(shares[0], shares[2], kBalance);
   EXPECT_NEAR(shares[1], shares[3], kBalance);
   EXPECT_NEAR(sum(shares), 4.0, kBalance);
-  // The pin that is ahead stands where the teeth push its planet to: they press it less.
+  // The pin that is ahead is where the teeth push its planet to: they press it less.
   EXPECT_LT(shares[0], shares[1] - 0.1);
 }
 
-// Issue 18, Build 4: searches of the last round start near their balances and still end there. Bearings
-// balanced anew from nothing give way to each planet's force as far as the balance says.
+// Searches of the last round start near their equilibria and still end there. Bearings solved anew without a
+// start deflect under each planet's force as far as the equilibrium reports.
 TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
   for (const int laminae : {0, 20}) {
     PlanetaryDrivetrain drivetrain = displaced(4, 5e-6, false);
@@ -90,7 +91,7 @@ TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
   }
 }
 
-// Issue 18, Build 4: a search that starts near ends where one from nothing does, and sooner.
+// A search that starts near ends where one without a start does, and sooner.
 TEST(LoadSharing, SearchesThatStartNearEndAlike) {
   const PlanetaryDrivetrain drivetrain = displaced(4, 0.0, false);
   const DrivetrainGeometry geometry = derive(drivetrain);
@@ -111,13 +112,14 @@ TEST(LoadSharing, SearchesThatStartNearEndAlike) {
   EXPECT_LT(again.report.iterations, anew.report.iterations);
 }
 
-// The planet that carries most after one error carries least after the opposite one; small errors act alike.
+// The planet that carries most after one error carries least after the opposite one; small errors act
+// equally.
 TEST(LoadSharing, GoesWithTheError) {
   const double ahead = shares_of(displaced(4, 1e-6, false))[0] - 1.0;
   const double behind = shares_of(displaced(4, -1e-6, false))[0] - 1.0;
   EXPECT_LT(ahead * behind, 0.0);
   constexpr double kCurvature =
-      0.05;  // of the change: the bearings' stiffness goes with the ninth root of load
+      0.05;  // of the change: the bearings' stiffness is proportional to the ninth root of load
   EXPECT_NEAR(-behind / ahead, 1.0, kCurvature);
 }
 
@@ -157,7 +159,7 @@ TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
   EXPECT_TRUE(evaluate(even, derive(even)).planets.empty());
 }
 
-// Issue 44, item 16: each life of all bearings of unlike planets is made of those lives.
+// Each life of all bearings of unequal planets is computed from the same lives of the bearings.
 TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   drivetrain.rated.oil = bearing::rating::StatedOil{.viscosity_ratio = 0.7, .contamination_factor = 0.5};
@@ -171,8 +173,8 @@ TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
   EXPECT_GT(std::abs(point.rating.system_hours.modified / point.rating.system_hours.basic - 1.0), 0.01);
 }
 
-// Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and
-// overturning moment of one planet are means over the planets.
+// The sun's thrust follows from its torque, however its planets share it; axial force and overturning moment
+// of one planet are means over the planets.
 TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   drivetrain.set.helix_angle = 0.2;
@@ -191,13 +193,13 @@ TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
   EXPECT_NEAR(point.overturning_moment / even.overturning_moment, 1.0, kBalance);
 }
 
-// Gears at mean mesh stiffness, so that motion adds little to rest: loads of every planet as at rest, one way
-// and as one system.
+// Gears at mean mesh stiffness, so that motion adds little to the quasi-static loads: loads of every planet
+// as quasi-static, one way and as one system.
 TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
   constexpr double kMotion = 0.03;  // of a load: what rollers in motion do to the stiffness of the bearings
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   gearset::dynamics::SetParameters gears = drivetrain.gear_set();
-  gears.frame.centrifugal = true;  // planets thrown outward, as at rest
+  gears.frame.centrifugal = true;  // centrifugal loads of planets, as in the quasi-static model
   drivetrain.gear_set = [gears] { return gears; };
   drivetrain.mesh_variation = false;
   drivetrain.drive.speed = 9000.0 * example::rpm;

@@ -1,5 +1,5 @@
-// Issue 16, Build 1, in the set's modes: meshes and bearings of a planet as one spring, against the
-// balance itself and against its limits.
+// Stiffness in the set's modes: meshes and bearings of a planet as one spring, against the equilibrium itself
+// and against its limits.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -34,7 +34,7 @@ DrivetrainGeometry stiff_rim(const PlanetaryDrivetrain& drivetrain) {
   return geometry;
 }
 
-// Issue 19, Build 6: the outer rings of both bearings, 11.9 mm each, stiffen the rim.
+// The outer rings of both bearings, 11.9 mm each, stiffen the rim.
 TEST(PlanetRim, HasTheRingsOfAllItsBearings) {
   PlanetaryDrivetrain two = elastic_reducer(), one = two;
   ASSERT_EQ(two.bearings_per_planet, 2);
@@ -65,7 +65,7 @@ TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
   EXPECT_LT(soft(1, 1), 0.95 * stiff(1, 1));
 }
 
-// A thick rim, on a single narrow bearing: no direction gives way against its force, and all of it is nearly
+// A thick rim, on a single narrow bearing: no direction has a negative compliance, and all of it is nearly
 // rigid.
 TEST(PlanetStiffness, OfAThickRimIsNearlyThatOfItsParts) {
   PlanetaryDrivetrain drivetrain = elastic_reducer();

@@ -1,5 +1,5 @@
-// Issue 48, "Together": all bearings in motion on planets that found their tilt at rest, and one of several
-// sets in motion by itself.
+// All bearings in motion on planets with a computed quasi-static tilt, and one of several sets in motion by
+// itself.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ double load_ratio_in_motion(const system::CoupledSetup& setup) {
   return motion.reaction(0).force.norm() / motion.reaction(1).force.norm();
 }
 
-// At one cage angle of each bearing, where at rest a roller pitch is averaged.
+// At one cage angle of each bearing; the quasi-static result is the mean over a roller pitch.
 constexpr double kOneAngle = 0.02;
 
 TEST(SeatedMotion, BeginsWithTheLoadsAtRest) {
@@ -51,10 +51,10 @@ TEST(SeatedMotion, BeginsWithTheLoadsAtRest) {
   EXPECT_NEAR(load_ratio_in_motion(setup), at_rest, kOneAngle);
   for (system::BearingSeat& seat : setup.seats) seat.pin_offset.setZero();
   EXPECT_GT(std::abs(load_ratio_in_motion(setup) - at_rest),
-            2.0 * kOneAngle);  // what the bent pins make of it
+            2.0 * kOneAngle);  // effect of the bent pins
 }
 
-// Between bearings that are alike the pins bend evenly: both share the load.
+// Between equal bearings the pins bend evenly: both share the load.
 TEST(SeatedMotion, BearingsThatAreAlikeNeedNoOffset) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.clearance_differences.clear();

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: what the bearings of a planet with two gears carry.
+// Loads of the bearings of a planet with two gears.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,8 +51,7 @@ TEST(SteppedPlanetOnItsPin, BearingsHoldForcesAndCouple) {
   }
 }
 
-// Gears that are alike, one behind the other: forces at -15 and 15 mm, which the sun pushes outward, the ring
-// inward.
+// Equal gears, one behind the other: forces at -15 and 15 mm, which the sun pushes outward, the ring inward.
 TEST(SteppedPlanetOnItsPin, CoupleIsThatOfBothForces) {
   PlanetaryDrivetrain drivetrain = stepped_reducer(30e-3);
   drivetrain.dynamics.inertia.carrier_centrifugal = false;

@@ -1,4 +1,4 @@
-// Issue 16, Build 2, in a point of the drivetrain: the reducer's planet on its own pin.
+// Computed tilt in a point of the drivetrain: the reducer's planet on its own pin.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(TiltingPlanet, OfEqualBearingsOnAStiffPinHasTheLifeOfStatedTiltZero) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.span = 0.0281;  // hardly bends
   PlanetaryDrivetrain stiff = drivetrain;
-  stiff.bearing.material.youngs_modulus = 206e16;  // of the pin; dry contacts of Palmgren know no modulus
+  stiff.bearing.material.youngs_modulus = 206e16;  // of the pin; dry contacts of Palmgren have no modulus
   const PointResult found = evaluate(stiff, derive(stiff));
   drivetrain.seats.tilt = TiltState::stated;
   const PointResult level = evaluate(drivetrain, derive(drivetrain));
@@ -40,8 +40,8 @@ TEST(TiltingPlanet, OfEqualBearingsOnAStiffPinHasTheLifeOfStatedTiltZero) {
   EXPECT_NEAR(found.seats[0].life_hours / level.life_hours, 1.0, 1e-6);
 }
 
-// The slope of the pin under equal loads is what both bearings feel, in opposite senses; it falls with the
-// load.
+// Both bearings have the slope of the pin under equal loads as their tilt, in opposite senses; it decreases
+// with the load.
 TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   for (const double rpm : {1000.0, 6000.0}) {
@@ -71,8 +71,8 @@ TEST(TiltingPlanet, BearingsStandAcrossTheFaceUnlessTheyArePairs) {
   EXPECT_EQ(axial_positions(drivetrain), evenly);
 }
 
-// What a cage on the outer ring adds to the load on the bore: the centrifugal force of it and of half of the
-// rolling elements, whose other half their orbit pushes outward.
+// Load that a cage on the outer ring adds to the bore: its centrifugal force and that of half of the rolling
+// elements, whose other half their orbit pushes outward.
 TEST(TiltingPlanet, CageOnTheOuterRingPullsWithHalfOfTheElements) {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.rows.type = bearing::PlanetBearingType::spherical_roller;
@@ -85,8 +85,8 @@ TEST(TiltingPlanet, CageOnTheOuterRingPullsWithHalfOfTheElements) {
   EXPECT_NEAR(added.norm(), force, 1e-12 * force);
 }
 
-// Issue 44, item 16. The lines of action of sun and ring lean to opposite sides of the tangent: meshes that
-// are alike hold the planet about its radius and about its tangent, and let neither turn into the other.
+// The lines of action of sun and ring lean to opposite sides of the tangent: meshes that are alike hold the
+// planet about its radius and about its tangent, without coupling between both.
 TEST(TiltingPlanet, MeshesThatAreAlikeHoldItAlongItsAxesAlone) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   gearset::dynamics::SetParameters set;
@@ -101,9 +101,8 @@ TEST(TiltingPlanet, MeshesThatAreAlikeHoldItAlongItsAxesAlone) {
   EXPECT_LT(std::abs(held(0, 1)), 1e-12 * both);
 }
 
-// Issue 16, Build 3. Forces of both bearings at their places, their moments and the meshes' springs hold what
-// the axial forces of helical teeth put on the planet: force of the sun times the distance of both pitch
-// points.
+// Forces of both bearings at their positions, their moments and the meshes' springs balance the moment of the
+// axial forces of helical teeth on the planet: force of the sun times the distance of both pitch points.
 TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   for (const double helix : {-0.25, 0.25}) {
@@ -159,9 +158,8 @@ TEST(TiltingPlanet, RatesEachBearingUnderTheLoadThatItCarries) {
   EXPECT_NEAR(point.rating.lives.static_load / largest, 1.0, 1e-12);
 }
 
-// Issue 44, item 16. Flanks of the sun's mesh lie on the line (sin a, cos a) from outward to ahead, those of
-// the ring's on
-// (-sin a, cos a): across their difference in sense the radial parts of both add up, the mixed ones cancel.
+// Flanks of the sun's mesh are on the line (sin a, cos a) from outward to ahead, those of the ring's on (-sin
+// a, cos a): across their difference in sense the radial parts of both add up, the mixed ones cancel.
 TEST(TiltingPlanet, IsHeldByBothMeshesEachOnItsSide) {
   const PlanetaryDrivetrain drivetrain = tilting_reducer();
   const Eigen::Matrix2d found = mesh_tilt_stiffness(drivetrain);
@@ -173,7 +171,7 @@ TEST(TiltingPlanet, IsHeldByBothMeshesEachOnItsSide) {
   EXPECT_EQ(found(0, 1), found(1, 0));
 }
 
-// Issue 44, item 16: each of a system's lives by the standards is made of those lives of its bearings.
+// Each of a system's lives by the standards is computed from the same lives of its bearings.
 TEST(TiltingPlanet, HasASystemsLivesOfTheSameLives) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.clearance_differences = {0.0, 5e-6};
@@ -211,13 +209,13 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   EXPECT_NEAR((compliance * loads)[3] / inclination, 1.0, 1e-9);
   // Mean of both places: the middle of the pin goes along by half of the wall's displacement.
   EXPECT_NEAR((compliance * loads).head<2>().mean() / (0.5 * inclination * span), 1.0, 1e-9);
-  // What it does to the planet is what an inclined pin does to it.
+  // Its effect on the planet is that of an inclined pin.
   const bearing::laminae::PlanetOnPinResult twisted =
       tilting_planet(planet_seat(drivetrain), drivetrain, duty);
   PlanetaryDrivetrain stated = drivetrain;
   stated.seats.carrier_twist.reset();
   const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(planet_seat(stated), stated, duty);
-  const double wall = [&] {  // of the loads that are found: bearings no longer carry alike
+  const double wall = [&] {  // of the loads that are found: bearings no longer carry equal loads
     double force = 0.0;
     const std::vector<double> positions = axial_positions(drivetrain);
     for (std::size_t k = 0; k < 2; ++k)
@@ -231,15 +229,14 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   const double change = (twisted.tilt - rigid.tilt).norm();
   EXPECT_GT(change, 1e-6);
   EXPECT_LT((twisted.tilt - inclined.tilt).norm(), 1e-3 * change);
-  // Where planets carry unlike loads, each stands on pins that their mean load inclines so.
+  // If planets carry unequal loads, each is on pins inclined as under their mean load.
   const PlanetSeat unlike = unlike_planet_seat(drivetrain, duty);
   EXPECT_EQ(unlike.tangential_compliance.size(), 0);
   EXPECT_EQ(unlike.pin_inclination.x(), 0.0);
   EXPECT_NEAR(unlike.pin_inclination.y() / stated.seats.tangential_inclination, 1.0, 1e-9);
 }
 
-// Issue 16, Build 2, in motion: each bearing goes on with the load, the clearance and the tilt that it has at
-// rest.
+// In motion each bearing keeps the load, the clearance and the tilt of the quasi-static state.
 TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.clearance_differences = {0.0, 10e-6};

@@ -26,7 +26,7 @@ using Eigen::Vector4d;
 
 // The search for the shares ends at 1e-9 of the largest force; lives take the power 10/3 of it.
 constexpr double kShared = 1e-7;
-// Searches of a planet's balance that take other ways to the same end.
+// Searches for a planet's equilibrium by different methods.
 constexpr double kSearched = 1e-8;
 
 struct Parts {
@@ -117,8 +117,8 @@ TEST(Together, PinsThatChangePlacesTakeTheirPlanetsAlong) {
   }
 }
 
-// One bearing in the middle of a straight face has no reason to tilt: unlike planets share as with a stated
-// tilt of nothing, whatever the pin, whose displacement is the support's.
+// One bearing in the middle of a straight face does not tilt: unequal planets share as with a stated tilt of
+// zero, whatever the pin, whose displacement is the support's.
 TEST(Together, PlanetsThatDoNotTiltShareAsLevelOnes) {
   for (const bool rim : {false, true}) {
     PlanetaryDrivetrain drivetrain =
@@ -133,7 +133,7 @@ TEST(Together, PlanetsThatDoNotTiltShareAsLevelOnes) {
   }
 }
 
-// Both bearings press on one form of the race: alike, each has what it has by itself.
+// Both bearings press on one form of the race: each of two equal ones has the same results as a single one.
 TEST(Together, LikeBearingsOnAnElasticPlanetCarryAsOneDoes) {
   PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = true});
   drivetrain.seats.clearance_differences.clear();
@@ -196,7 +196,7 @@ TEST(Together, HelixBendsTheRimByItsTransverseForces) {
 }
 
 // Load and moment on a planet against its displacement and tilt by differences, on a rigid rim and an elastic
-// one: the slope by which unlike planets find their shares.
+// one: the slope that determines the load sharing of unequal planets.
 TEST(Together, ComplianceOfAPlanetIsTheSlopeOfItsBalance) {
   for (const bool rim : {false, true}) {
     const PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = rim});
@@ -220,9 +220,8 @@ TEST(Together, ComplianceOfAPlanetIsTheSlopeOfItsBalance) {
   }
 }
 
-// Members that keep their axes, so that a pin off its place is between sun and ring alone: by how much it
-// changes the force of its meshes, from the planet's spring of natural frequencies, which knows nothing of
-// the search for shares.
+// Members that keep their axes, so that a pin with an error is between sun and ring alone: the change of its
+// mesh forces from the planet's spring of natural frequencies, which is independent of the search for shares.
 TEST(Together, ElasticPlanetsShareAsTheirSpringsSay) {
   for (const bool rim : {false, true}) {
     PlanetaryDrivetrain drivetrain = reducer_with({.rim = rim});
@@ -276,7 +275,7 @@ TEST(Together, TwistOfTheCarrierIsThatOfAllPlanets) {
   PlanetaryDrivetrain found = reducer_with({.tilt = true}, ahead({0.0, 0.0, 0.0, 0.0}));
   found.seats.carrier_twist = 1e6;
   const PointResult alike = point_of(even), uneven = point_of(found);
-  // Mean over the cage angles, of all planets in place of this one.
+  // Mean over the cage angles, of all planets instead of this one.
   expect_near(uneven.life_hours, alike.life_hours, 2e-3, "life");
   EXPECT_LT((uneven.seats[0].tilt - alike.seats[0].tilt).norm(), 2e-3 * alike.seats[0].tilt.norm());
 }
@@ -302,7 +301,7 @@ TEST(Together, OneOfSeveralSetsSharesAndTiltsAsASingleOne) {
   expect_near(both.sets[0].life_hours, expected.life_hours, kShared, "life in the chain");
 }
 
-// In motion each bearing keeps load, tilt and form of its race at rest.
+// In motion each bearing keeps the quasi-static load, tilt and form of its race.
 TEST(Together, SeatedBearingsHaveTheFormOfTheirPlanet) {
   const PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = true});
   const DrivetrainGeometry geometry = derive(drivetrain);

@@ -1,5 +1,4 @@
-// Planets at unequal steps: where teeth fit, who carries how much, which modes there are and what excites
-// them. Issue 16, Build 3: planets at unequal angles.
+// Planets at unequal angles: where teeth fit, load sharing, modes and their excitation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +70,7 @@ std::string problem_of(std::vector<double> degrees) {
   return problems.empty() ? "" : problems.front().key + ": " + problems.front().text;
 }
 
-// Issue 44, item 16: the gap from the last planet to the first counts, too.
+// The gap from the last planet to the first counts, too.
 TEST(UnequalPlanets, HaveALeastGapAllAround) {
   EXPECT_NEAR(gearset::least_step({0.0, 100.0 * degree, 230.0 * degree}), 100.0 * degree, 1e-12);
   EXPECT_NEAR(gearset::least_step({0.0, 130.0 * degree, 270.0 * degree}), 90.0 * degree, 1e-12);
@@ -98,7 +97,7 @@ TEST(UnequalPlanets, ThatCannotBeAssembledAreRefused) {
             std::string::npos);
 }
 
-// Stated at the places where they stand anyway, planets are the equal ones to the last bit.
+// Stated at their equal positions, planets are the equal ones to the last bit.
 TEST(UnequalPlanets, AtEqualStepsAreEqualPlanets) {
   const PlanetaryDrivetrain stated = placed({0, 29, 58, 87}, 1e8);
   EXPECT_FALSE(stated.uneven_planets);
@@ -116,7 +115,7 @@ TEST(UnequalPlanets, AtEqualStepsAreEqualPlanets) {
   EXPECT_EQ(a.planet_angles, b.planet_angles);
 }
 
-// Three forces on a sun that floats: each goes with the sine of the angle between the other two.
+// Three forces on a floating sun: each is proportional to the sine of the angle between the other two.
 TEST(UnequalPlanets, ThreeAboutAFloatingSunCarryByItsBalance) {
   const std::vector<int> steps{0, 30, 75};
   const std::vector<double> shares = shares_of(placed(steps));

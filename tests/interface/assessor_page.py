@@ -390,7 +390,7 @@ class Sweep(unittest.TestCase):
             said, at = rows[symbol][-1].split(" at ")
             self.assertEqual((said.split(": ")[0], at), (word, speed))
             self.assertAlmostEqual(number(said.split(": ")[1]), printed(worst[symbol]["value"]), delta=1e-9 * worst[symbol]["value"])
-        # The curve over speed is that of the life that the sweep goes by, as its peak is.
+        # The curve over speed is that of the governing life, as its peak is.
         self.assertEqual(content["peak"]["life_key"], "L10mh")
         self.assertEqual(len(content["fine"]["L10mh"]), len(content["fine"]["speed_rpm"]))
         self.assertIn("L10mh of one bearing (h)", page)

@@ -18,7 +18,7 @@ SHIPPED = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
 THREE = SOURCE / "cases" / "three_sets_150kW" / "case.yaml"
 SECONDS = 600  # a mistake is found at once; this stops a hang
 
-# What is wrong: what to replace in the shipped case, by what, the line of the message and a part of it.
+# Mistakes: the text to replace in the shipped case, its replacement, the line of the message and a part of it.
 CHANGED_FILES = {
     "wrong syntax": ("  power: 150 kW", "   power: 150 kW", 6, r"\(file\): wrong YAML"),
     "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): a tab in the indentation"),
@@ -289,7 +289,7 @@ class BadInput(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertTrue(any("contact ratio" in text for text in json.loads(done.stdout)["warnings"]), command)
 
-    # What was wrong in first tries, and what to do about it.
+    # Mistakes of first users, and their remedies.
     def test_remedies(self):
         remedies = {
             "lubricant.grade=ISO VG 321": r"did you mean 'ISO VG 320'",

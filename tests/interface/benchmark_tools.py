@@ -118,7 +118,7 @@ class Pace(unittest.TestCase):
             answers = [version.ask("run") for version in (ours, base)]
             self.assertEqual(answers[0][1:], answers[1][1:])  # simulated time and steps
             found = over_base.ratios(ours, base, 9, lambda version: version.number("run"))
-            # Of CPU times in turn: a factor of two were another program.
+            # CPU times in turn: a factor of two would be another program.
             self.assertLess(abs(math.log(command.middle(found)[0])), math.log(1.5))
         finally:
             ours.close()

@@ -77,7 +77,7 @@ FEATURES = {
     "a single bearing": ("harris_209", {}),
     "a roller of its own": ("reducer_150kW", {"bearing.roller_diameter_deviation": "[1 um]"}),
 }
-# What each analysis refuses of them.
+# Features that each analysis refuses.
 REFUSED = {
     ("fmu", "bearing"): set(FEATURES) - {"a roller of its own"},
     ("fmu", "gearset"): {"tapered pair", "spherical rollers", "elastic rim", "stepped planet", "planets in pairs", "several sets", "a single bearing"},

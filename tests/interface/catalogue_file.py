@@ -95,7 +95,7 @@ class Catalogue(unittest.TestCase):
         self.assertIn("ACME NUP 204-E (list 7, page 3)", json.dumps(checked))
         found = answer("run", self.case(ROLLERS.format("NUP 204-E", ", catalogue: own.csv")))
         self.assertEqual((found["C_N"], found["C0_N"], found["Cu_N"]), (32500, 24700, 3900))
-        # What the file does not have is the program's.
+        # Designations that the file does not have are those of the program.
         checked = answer("check", self.case(ROLLERS.format("NU 205", ", catalogue: own.csv")))
         self.assertIn("NSK NU 205 EW", json.dumps(checked))
         self.assertIn("is in neither catalogue", self.refused(self.case(ROLLERS.format("NU 3206", ", catalogue: own.csv"))))
@@ -131,7 +131,7 @@ class Catalogue(unittest.TestCase):
                 self.assertIn(words, message)
                 self.assertNotIn("designation: ", message)
 
-    # What stumbled when it was tried, a maker's bearing beyond the usual.
+    # A failure of an early trial: a maker's bearing beyond the default catalogue.
     def test_a_bearing_with_long_rollers_beyond_the_table_of_classes(self):
         head = OWN.splitlines()[1].replace(" [kN]", "_kN").replace(", ", ";")
         self.own(f"{head}\nPRB 220;cylindrical-roller;220;385;155;262,5;2100;3650;310;ACME;\n")  # as a spreadsheet writes it

@@ -56,7 +56,7 @@ FEATURES = (
     Feature(DEFECT, (), ("defect.race=outer", "defect.width=0.3 mm", "defect.depth=0.02 mm")),
 )
 BINS = "torque_N_m,speed_rpm,share\n238.7,6000,0.4\n381.9,3000,0.6\n"
-# Of a bearing in time: enough to see what counts.
+# A short run of a bearing in time: sufficient to see which inputs have an effect.
 BRIEF = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2", "simulation.length_error=2e-6 mm", *BRIEF_GEARS)
 # --fidelity dynamic runs gears that vibrate anew with each fitted bearing. Where this takes long, meshes keep their mean stiffness.
 MEAN_MESHES = ("gearset.mesh_variation=false",)
@@ -234,7 +234,7 @@ def is_sound(result):
     return point["status"] == "ok" and all(point[key] > 0.0 for key in ("life_h", "system_life_h", "inner_load_max_N", "power_loss_W"))
 
 
-# Of an FMU: inputs with their values, and outputs.
+# Inputs of an FMU with their values, and outputs.
 STEPS, STEP = 2, 1e-5
 INPUTS = {"bearing": {"planet.displacement.x": 2e-6, "planet.displacement.y": 25e-6}, "gearset": {"planet[1].force.y": -1900.0}}
 OUTPUTS = {"bearing": ("force.x", "force.y", "moment", "cage.speed"), "gearset": ("planet[1].displacement.y", "planet[2].speed", "planet[3].sun_mesh_force")}

@@ -48,7 +48,7 @@ class Demo(unittest.TestCase):
         self.assertIn(f"{longest[1]:.0f} h at {longest[0]:.0f} rpm of the sun", done.stdout)
         for end in (points[0], points[-1]):
             self.assertRegex(done.stdout, rf"At {end[0]:.0f} rpm the \w+ (\w+ )?limits it to {end[1]:.0f} h")
-        # What it proposes next can be done.
+        # The command that it proposes next works.
         new, = re.findall(r"^  orbearing (new .*)$", done.stdout, re.M)
         written = subprocess.run([os.environ["ORBEARING"], *new.split()], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(written.returncode, 0, written.stderr)

@@ -40,7 +40,7 @@ IN_BROWSER = ("docs/index", "docs/guide/questions", "docs/guide/glossary", "docs
 WIDTHS = (360, 1200, 1600)
 SEARCHED = ("L10h", "BPFO", "K_gamma", "load zone", "skidding", "torque", "kappa", "clearance", "L10mrh", "a_ISO")
 SECONDS = 60  # a machine that computes other things besides
-# Elements that reach beyond the window and stand in no box that scrolls.
+# Elements that reach beyond the window and are in no box that scrolls.
 CUT_OFF = """const w = document.documentElement.clientWidth;
 const scrolls = (e) => e && (["auto", "scroll"].includes(getComputedStyle(e).overflowX) && e.getBoundingClientRect().right <= w + 1 || scrolls(e.parentElement));
 return [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().width && e.getBoundingClientRect().right > w + 1

@@ -13,7 +13,7 @@ SOURCE = Path(os.environ["ORBEARING_SOURCE_DIR"])
 FULL = os.environ.get("ORBEARING_FULL", "yes") == "yes"
 CASES = SOURCE / "cases"
 REDUCER, INDUSTRIAL = CASES / "reducer_150kW/case.yaml", CASES / "templates/industrial.yaml"
-# Where choices that no entry below names are tried, one after the other.
+# Cases for choices that no entry below names; they are tried one after the other.
 ANYWHERE = (INDUSTRIAL, CASES / "templates/roller-bearing.yaml", CASES / "templates/ball-bearing.yaml", CASES / "templates/duplex.yaml",
             CASES / "templates/defect.yaml", CASES / "spin_film_guo2013/case.yaml", CASES / "mesh_62_62/case.yaml", CASES / "deep_groove_motor/case.yaml")
 MOVING = ("--fidelity", "dynamic")
@@ -42,7 +42,7 @@ WRITTEN = {
     "balls": GEARS % (75, "", "deep-groove-ball", "balls: 8, ball_diameter: 9 mm"),
     "spherical": GEARS % (75, "", "spherical-roller", "rows: {contact_angle: 10 deg}, " + ROLLERS),
 }
-# What stands beside a choice so that it counts: the case, settings, words, and the command.
+# Inputs that a choice requires for an effect: the case, settings, words, and the command.
 BESIDE = {
     "support.pin_ends": (INDUSTRIAL, COMPUTED, ()),
     "bearing.tilt_state": (INDUSTRIAL, LAMINAE, ()),

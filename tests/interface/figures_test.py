@@ -34,7 +34,7 @@ from orbearing.figures import cage_orbit as orbit_figure, carrier_revolution, ge
 from orbearing.point_file import PointFile  # noqa: E402
 from orbearing.result_folder import Report, read_report  # noqa: E402
 
-# What a unit is of, and how much of its SI unit.
+# Quantity of a unit, and its size in the SI unit.
 UNITS = {"rpm": ("speed", np.pi / 30), "rad/s": ("speed", 1.0), "h": ("time", 3600.0), "s": ("time", 1.0), "ms": ("time", 1e-3), "N": ("force", 1.0), "kN": ("force", 1e3),
          "MPa": ("pressure", 1e6), "GPa": ("pressure", 1e9), "m": ("length", 1.0), "mm": ("length", 1e-3), "µm": ("length", 1e-6), "Hz": ("frequency", 1.0),
          "kHz": ("frequency", 1e3), "%": ("ratio", 0.01), "1": ("ratio", 1.0), "rad": ("angle", 1.0), "mrad": ("angle", 1e-3), "deg": ("angle", np.pi / 180),
@@ -692,7 +692,7 @@ def numbers_in(value, key=""):
     return [(key, float(value))] if is_number(value) else []
 
 
-# What a head says where its numbers are those of a key with this word.
+# Words of a head whose numbers are those of a key with this word.
 SAID = {word: rf"(?<![a-z]){word}(?![a-z])" for word in ("rms", "inner", "outer", "sun", "ring", "tangential", "radial")}
 
 

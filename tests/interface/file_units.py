@@ -232,7 +232,7 @@ class Rexs(unittest.TestCase):
         self.assertAlmostEqual(found.report["bearings"][0]["figures"]["axial_force_N"], 500.0, 9)
 
 
-# Of records and tables: by quantity the units, and how many SI units each is.
+# Units of records and tables by quantity, and the size of each in the SI unit.
 RPM = math.pi / 30.0
 SPEEDS = {"rpm": RPM, "1/min": RPM, "U/min": RPM, "rad/s": 1.0, "deg/s": math.pi / 180.0}
 TORQUES = {"N.m": 1.0, "Nm": 1.0, "N-m": 1.0, "kN.m": 1e3, "kN-m": 1e3, "MN.m": 1e6, "N.mm": 1e-3}

@@ -123,7 +123,7 @@ class Master(unittest.TestCase):
             largest = max(largest, worst / size)
             self.assertLess(worst, ROUND_OFF * size, f"column {column}")
         print(f"from the exchange by hand at most {largest:.1e}")
-        # The bearings were felt: the planet is where its gears alone do not take it.
+        # The bearings had an effect: the planet is where its gears alone do not take it.
         self.assertGreater(abs(expected[-1][0] - expected[0][0]), 1e-3 * abs(expected[0][0]))
 
     def test_pair_moves_as_by_hand(self):

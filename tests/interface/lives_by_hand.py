@@ -209,7 +209,7 @@ class Lives(unittest.TestCase):
             hand["life_Mrev"] = hand["L10r_Mrev"]  # balls: one law, one exponent, no reduction factor
         self.compare(name, found, hand, SINGLE)
         self.hours_belong(found, rpm)
-        # What keeps its name and value.
+        # Results that keep their name and value.
         self.assertEqual(found["equivalent_load_N"], found["P_N"])
         self.assertAlmostEqual(found["pressure_max_MPa"] / found["contact_pressure_max_MPa"], 1.0, delta=1e-12)
         return found
@@ -256,7 +256,7 @@ class Lives(unittest.TestCase):
 
     def test_wind_stage(self):
         given, found = inputs_of(WIND), answer("run", WIND)["points"][0]
-        # Of the gears by hand: torque of the carrier over three planets with two bearings each.
+        # Gears by hand: torque of the carrier over three planets with two bearings each.
         pin = 2094.4e3 / (20.0 * math.pi / 30.0) / (3 * 2 * 1e-3 * 0.5 * 13.0 * 57.0 / math.cos(math.radians(8.0)))
         self.assertAlmostEqual(abs(found["tangential_load_N"]) / pin, 1.0, delta=0.003)
         speed = 20.0 * 94.0 / 37.0

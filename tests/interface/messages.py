@@ -39,7 +39,7 @@ REFUSING = {"refuse", "require", "require_positive", "require_not_negative", "ad
 CHECKS = {"refuse", "require", "require_positive", "require_not_negative"}
 SHORTEST = 12  # letters of a piece of text by which a message is known
 COLLECTING = re.compile(r"warning|mistake|problem|validation_error|list$|texts$|noted$|missing$", re.I)
-# Where a text is put together before it is thrown or listed.
+# Words of a text that is composed before it is thrown or listed.
 SPOKEN = re.compile(r"\brequired\b|\bfound\b|\bcannot be\b|\bno static equilibrium\b|\bno longer\b|\bnot finite\b|\bhas no effect\b"
                     r"|\bleft the bearing\b|\bdrifted\b|\bit is not\b|\bits unit\b|\bits value\b|\bis out of range\b|\bis none of\b")
 UNSPOKEN_FILES = re.compile(r"_fields\.(cpp|hpp)$|_output\.cpp$|/schema\.cpp$|/export/|/result_row\.cpp$|/command_line\.cpp$|^python/")

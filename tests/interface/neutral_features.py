@@ -30,7 +30,7 @@ SHORT = ("signal.sampling_rate=400 kHz", "signal.carrier_revolutions=0.01", "sig
 SCRATCH = ("defect.race=outer", "defect.width=0.3 mm")
 IN_MOTION = ("/carrier_frame/rms", "/housing/rms", "/contact_load_max_N", "/turned/cage_Hz", "/turned/planet_Hz", "/turned/carrier_Hz", "/turned/mesh_Hz")
 MOVED = 1e-3  # steps of the motion are those of its tolerance
-# What a result has by a feature alone, or which planet of those that are alike it names.
+# Results of a feature alone, or the name of one of several equal planets.
 OWN = ("largest_bearing_tilt_mrad", "largest_bearing_share", "shortest_life_planet", "rim_ovality_um")
 
 

@@ -24,7 +24,7 @@ NOTHING = 1e-9  # in the unit of a key: round-off of what is zero
 DIGITS = 6  # of a number in text (app/results/record_text.cpp)
 SECONDS_OF_A_PART = 8.0
 SEED = int(os.environ.get("SETTINGS_SEED", time.time_ns() % 100000))
-# What is run of a case, by the analyses that `check` names.
+# Runs of a case, by the analyses that `check` names.
 AT_REST = {"--fidelity quasi-static": (), "run of a single bearing": (), "run of a bearing with scratches": ()}
 # Short runs in motion: what `check` calls them, options, settings beside.
 NU204 = CASES / "reducer_nu204" / "case.yaml"

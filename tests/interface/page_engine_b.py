@@ -239,7 +239,7 @@ class EngineB(unittest.TestCase):
             print(f"motion: {key} {ours[key]} here, {theirs[key]} by the program")
         self.assertAlmostEqual(ours["life_h"] / theirs["life_h"], 1.0, delta=IN_MOTION)
         self.assertGreater(len(told["told"]), 1)
-        # Of several motions, one after the other, each that begins anew.
+        # Several motions, one after the other, each of which begins anew.
         ends = [one for one, later in zip(told["told"], [*told["told"][1:], {"time_s": 0.0}]) if later["time_s"] < one["time_s"]]
         motion, turned = (sum(one[key] for one in ends) for key in ("time_s", "turned"))
         print(f"motion: {motion:.3f} s, {turned:.1f} revolutions of the cage in {told['seconds']:.1f} s, {motion / told['seconds']:.3g} times real time, "

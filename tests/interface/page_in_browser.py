@@ -81,7 +81,7 @@ lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
 assumed:
   bearing.radial_clearance: a close fit
 """
-# Of WCAG 2: contrast of texts with what is behind them, of large ones 3.
+# WCAG 2: contrast of texts with their background, of large ones 3.
 CONTRAST = """
 const parse = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
 const part = (value) => (value /= 255) <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
@@ -111,7 +111,7 @@ return [...[...document.querySelectorAll("input, select, textarea, button")].fil
 """
 
 
-# What is drawn or written outside of the window or of its drawing, with more digits than anybody reads, or too small for a finger.
+# Elements outside of the window or of their drawing, with too many digits, or too small for a finger.
 OUTSIDE = """
 const width = document.documentElement.clientWidth, found = [];
 for (const one of document.querySelectorAll("#tiles *, #results *, #inputs *")) {

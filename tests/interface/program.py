@@ -24,7 +24,7 @@ WIND = CASES / "wind_stage_750kW" / "case.yaml"
 SECONDS = 600
 # A report runs the gears at forty speeds between those of its sweep, at one alone of a sweep of one: so briefly where no settled means are asked for.
 BRIEF_GEARS = ("gearset.dynamics.observed_periods=8", "gearset.dynamics.settling_periods=100")
-# What only repeats in more circumstances what is tried every day, or tries our files in more programs of others.
+# Tests that repeat the daily ones in more circumstances, or try our files in more programs of others.
 LEFT_TO_FULL = os.environ.get("ORBEARING_FULL") == "no"  # as tools/test sets it; by hand all is run
 
 

@@ -97,7 +97,7 @@ class TheSameNumbers(unittest.TestCase):
         self.assertTrue((np.diff(life[:, 5]) < 0).all())  # less life by more clearance
 
 
-# What is read is round, and may be written back.
+# Values that are read are round, and may be written back.
 class WhatIsReadMayBeWritten(unittest.TestCase):
     def test_values_are_round(self):
         case = orbearing.load(REDUCER)

@@ -128,7 +128,7 @@ class RatedRecords(unittest.TestCase):
         for one in spectrum["bins"]:
             self.assertEqual(one["skid_risk"], one["P_N"] < 0.02 * one["C_N"])
         self.assertEqual([one["skid_risk_hours"] for one in spectrum["files"]], [0.0, 0.0, 100.0])
-        # Of one's own: between the loads of both other bins.
+        # A minimum load of the user's own: between the loads of both other bins.
         loads = sorted(one["P_N"] / one["C_N"] for one in spectrum["bins"])
         own = f"life.minimum_load={0.5 * (loads[1] + loads[2]):.4f}"
         spectrum = self.spectrum(*arguments, values=(*NO_INERTIA, own))["spectrum"]

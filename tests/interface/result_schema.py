@@ -19,7 +19,7 @@ except ImportError as missing:
 SCHEMA = json.loads((CASES / "result.schema.json").read_text(encoding="utf-8"))
 QUICK = [["check"], ["run"], ["run", "--gears"], ["mesh"], ["modes"], ["modes", "--speed=3000 rpm"], ["stiffness"]]
 LONG = [["sweep", "--grid-only"], ["sensitivities"], ["validate"], ["crown", "--drops=0 um, 4 um, 8 um", "--tilts=0 mrad, 1 mrad", "--starts=1"]]
-# What moves in time or has many points, in few steps.
+# Cases in motion or with many points, in few steps.
 SHORT = {"deep_groove_motor": ["simulation.duration=5 ms"], "deep_groove_acceleration": ["simulation.duration=5 ms"],
          "nasa_35mm": ["simulation.duration=2 ms"], "planet_scratch": ["signal.carrier_revolutions=1"]}
 

@@ -93,7 +93,7 @@ class Stage(Converting):
         self.assertEqual(case.given("bearing.static_capacity"), "1200 kN")
         self.assertEqual(case["bearing.axial_places"], [-0.055, 0.055])
         self.assert_close(case["support.pin_span"], 0.28)
-        # Of a circle of 20 m through the middle of the outermost of 40 laminae of 58 mm.
+        # Drop of a circle of 20 m through the middle of the outermost of 40 laminae of 58 mm.
         self.assert_close(case["bearing.profile.drop"], 20.0 - math.sqrt(400.0 - (0.5 * 0.058 * 39 / 40) ** 2), 1e-6)
 
     def test_check_and_run_take_it(self):

@@ -137,7 +137,7 @@ class AnyResult(unittest.TestCase):
             row, = found["inputs"]
             self.assertAlmostEqual(row["elasticity"], 4, places=8)
             self.assertGreater(row["error"] / found["life_h"] * row["value"], 0.01)  # what the scatter of a motion allows
-            # Of n inputs 2 n runs are kept beside that of the case; --resume takes them as they are.
+            # For n inputs 2 n runs are kept besides that of the case; --resume uses them unchanged.
             kept = pathlib.Path(folder) / "s" / "runs.jsonl"
             runs = [json.loads(line) for line in kept.read_text().splitlines()]
             self.assertEqual(len(runs), 2)

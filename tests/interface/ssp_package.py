@@ -21,7 +21,7 @@ orbearing = package()
 STEPS, SIZE = 60, 1e-6  # [s]
 ROUND_OFF = 1e-9  # the same operations; the master multiplies forces in its own way
 SSD, SSC, SSV = ("{http://ssp-standard.org/SSP1/SystemStructure%s}" % end for end in ("Description", "Common", "ParameterValues"))
-# Of each element of the format that is written: required attributes, optional ones, and its parts in their order.
+# Elements of the format that are written: required attributes, optional ones, and their parts in their order.
 FORMAT = {
     SSD + "SystemStructureDescription": ("version name", "generationTool", [SSD + "System", SSD + "Units", SSD + "DefaultExperiment"]),
     SSD + "System": ("name", "description", [SSD + "Elements", SSD + "Connections"]),

@@ -101,7 +101,7 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(y, 0, places=12)
         self.assertAlmostEqual(about_x, 0, places=12)
 
-    # What a user would do: a little more load, and how far the ring goes.
+    # The check of a user: a little more load, and the displacement of the ring.
     def test_slope_of_what_run_prints(self):
         for speed in ("0 rpm", "9000 rpm"):
             common = [f"operation.shaft_speed={speed}", "operation.speeds=[0 rpm]"]

@@ -131,7 +131,7 @@ class OnWorkers(unittest.TestCase):
                                    "--no-nanny", "--death-timeout", "20"], stdout=log, stderr=log)
         folder = self.place / "lost"
         try:
-            # Of another moment each time: after the first, second or third portion that came.
+            # Stopped at another moment each time: after the first, second or third portion of results.
             after = random.Random(SEED).randint(1, 6)
             seen = []
 

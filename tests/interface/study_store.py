@@ -108,7 +108,7 @@ class Designs(unittest.TestCase):
         self.assertEqual(lhs.parameters[1].texts.count("true"), 25)
         self.assertEqual(design_of(FakeCase(), ranges, sampler="lhs", samples=50, seed=3).summary(), lhs.summary())
         self.assertNotEqual(design_of(FakeCase(), ranges, sampler="lhs", samples=50, seed=4).summary()["parameters"], lhs.summary()["parameters"])
-        # Of 2^m Sobol points one stands in each of 2^m equal parts of each axis.
+        # One of 2^m Sobol points is in each of 2^m equal parts of each axis.
         sobol = design_of(FakeCase(), ranges, sampler="sobol", samples=64, seed=3)
         self.assertEqual(sorted((sobol.parameters[0].values / 40 * 64).astype(int)), list(range(64)))
 

@@ -36,7 +36,7 @@ class TeethUnderLoad(unittest.TestCase):
 
         self.assertGreater(steepest(sun_mesh(SLOW)), 0.5)
         self.assertLess(steepest(sun_mesh(SLOW, LOADED)), 0.25)  # within 1/180 of a period
-        # Of the slope of the force, not of the force.
+        # Jumps of the slope of the force, not of the force.
         self.assertEqual(len(sun_mesh(SLOW, LOADED)["jumps"]), 2)
 
     def test_text_has_the_error(self):

@@ -239,7 +239,7 @@ class Scatter(unittest.TestCase):
         one |= {f"system_{name}": 0.2 * one[name] for name in ("L10mrh", "L10rh")}
         for name, wanted in (("L10mh", a_1), ("L10mrh", a_1), ("system_L10mrh", a_1), ("L10h", 1.0), ("L10rh", 1.0), ("system_L10rh", 1.0)):
             np.testing.assert_allclose(scatter.reliability_factors(name, one), [wanted, wanted], rtol=1e-14, err_msg=name)
-        # Of several sets the row has the shortest of each life, so that those of one row need not be of one set.
+        # With several sets the row has the shortest of each life, so that those of one row need not be of one set.
         sets = {f"sets.{name}.{key}": values * factor ** (key != "a_ISO") for name, factor in (("a", 1.0), ("b", 3.0)) for key, values in one.items()
                 if key in ("L10h", "a_ISO", "L10mh", "L10mrh")}
         sets["sets.a.L10mh"][0] = np.nan

@@ -14,7 +14,7 @@ from orbearing.openmdao import Responses  # noqa: E402  of the package that prog
 from orbearing.studies.__main__ import main as study_main  # noqa: E402
 from orbearing.uncertainties.__main__ import main as uncertainty_main  # noqa: E402
 
-# A clearance class stands in the place of bearing.radial_clearance.
+# A clearance class replaces bearing.radial_clearance.
 CLASSED = CASES / "reducer_nu204" / "case.yaml"
 CLEARANCE = "bearing.radial_clearance"
 REPLACED = f"{CLEARANCE}: found a varied input that has no effect: it counts only where bearing.clearance_class is not given"

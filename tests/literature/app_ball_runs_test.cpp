@@ -1,6 +1,6 @@
-// Issue 14, "Done when": what [Chen2026] says of a motor's bearing under four conditions, and the heat of
-// NASA's 35 mm bearing, beside the runs of the shipped cases. docs/deep_groove.md says what is reproduced and
-// what is missed.
+// Results of [Chen2026] for a motor's bearing under four conditions, and the heat of NASA's 35 mm bearing,
+// compared with the runs of the shipped cases. docs/deep_groove.md lists what is reproduced and what is
+// missed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,8 +53,8 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within a fifth of the measurement at all speeds, in a shorter run too. Oil that goes round takes
-// less than at rest, and its heat does not grow the fastest.
+// Untuned: within a fifth of the measurement at all speeds, in a shorter run too. Oil that rotates takes less
+// than stationary oil, and its heat does not grow the fastest.
 TEST(Nasa35mm, HeatIsWithinAFifth) {
   const std::pair<const char*, double> measured[] = {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};

@@ -1,4 +1,4 @@
-// Issue 15, Build 2 and 6: [FangDuplex], Table 3: its calculated column by the linear formulas, its measured one by the nonlinear
+// [FangDuplex], Table 3: its calculated column by the linear formulas, its measured one by the nonlinear
 // pair.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

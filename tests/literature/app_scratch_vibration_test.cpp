@@ -1,4 +1,4 @@
-// What [ScratchVibration] reads from its figures, in the vibration that the shipped case gives.
+// Values that [ScratchVibration] reads from its figures, in the vibration of the shipped case.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ DefectStudy study_of(std::vector<std::string> settings) {
   return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml", settings));
 }
 
-// Issue 14, Build 7: the same case, all of the bearing in motion. A shorter signal at a lower rate.
+// The same case, all of the bearing in motion. A shorter signal at a lower rate.
 DefectStudy study_in_motion(const std::string& race) {
   return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
                                 {"defect.race=" + race, "signal.revolutions=12", "signal.sampling_rate=25.6 kHz"}),
@@ -37,7 +37,7 @@ void expect_peak(const DefectStudy& study, const std::string& is, double frequen
   EXPECT_NEAR(found->frequency, frequency, kHalfPercent * frequency) << is;
 }
 
-// All passings alike: the line and its harmonics, nothing between them.
+// All passings equal: the line and its harmonics, nothing between them.
 TEST(ScratchVibration, OuterRace) {
   const DefectStudy study = study_of({"defect.race=outer"});
   expect_peak(study, "outer race defect", 76.3);
@@ -57,7 +57,7 @@ TEST(ScratchVibration, InnerRace) {
   expect_peak(study, "inner race defect + shaft", 123.7 + 25.0);
 }
 
-// Issue 14, Build 9: a run-up, whose lines are smeared over frequency, has them at orders of the shaft.
+// A run-up, whose lines are smeared over frequency, has them at orders of the shaft.
 TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
   const auto order = [](const DefectStudy& study, const std::string& is, double expected) {
     const diagnosis::NamedPeak* found = peak(study.view.envelope_peaks, is);
@@ -87,9 +87,9 @@ TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
             0.5 * peak(outer.view.envelope_peaks, "outer race defect")->amplitude);
 }
 
-// Issue 14, Build 7: 14 rollers of 10 mm on 65 mm at 25 turns a second. By hand, g = 10/65: cage 25 (1 - g)/2
-// = 10.577, outer race 14 x 10.577 = 148.08, inner race 14 (25 - 10.577) = 201.92, a place of a roller 25
-// (1/g - g) = 158.65 Hz.
+// 14 rollers of 10 mm on 65 mm at 25 turns a second. By hand, g = 10/65: cage 25 (1 - g)/2 = 10.577, outer
+// race 14 x 10.577 = 148.08, inner race 14 (25 - 10.577) = 201.92, a point of a roller 25 (1/g - g) = 158.65
+// Hz.
 TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   const auto of = [](const std::string& race) {
     return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml",
@@ -123,7 +123,7 @@ TEST(ScratchedRollers, ABallInThemIsRefused) {
   }
 }
 
-// Balls slip as they leave the load zone: the lines stand where the cage really turns.
+// Balls slip as they leave the load zone: the lines are at the actual cage speed.
 TEST(ScratchVibration, OuterRaceWithAllInMotion) {
   const DefectStudy study = study_in_motion("outer");
   expect_peak(study, "outer race defect", 76.3);
@@ -141,8 +141,8 @@ TEST(ScratchVibration, InnerRaceWithAllInMotion) {
   expect_peak(study, "inner race defect - shaft", 123.7 - 25.0);
 }
 
-// "about 0.2 m/s2" at the most, with the period of the balls; the cage's 9.5 Hz cannot show where balls are
-// alike.
+// "about 0.2 m/s2" at the most, with the period of the balls; the cage's 9.5 Hz cannot appear with equal
+// balls.
 TEST(ScratchVibration, WithoutAScratchOnlyTheBallsPass) {
   const DefectStudy study = study_of({"defect.race=none"});
   for (const std::vector<diagnosis::NamedPeak>& peaks : {study.view.envelope_peaks, study.view.spectrum_peaks}) {

@@ -48,10 +48,10 @@ TEST(Ball6305, DisplacementsAndLives) {
   }
 }
 
-// Issue 44, item 14. [ISO16281] (2008) takes the tilt into the approach at R_i = d_m/2 + (r_i - D/2) cos(a0)
-// and the moment at d_m/2; we take both at R_i, where the groove centres are. The program takes both at
-// d_m/2. So without a moment its tilt is ours times R_i over d_m/2. Under a moment alone, M ~ arm Q sin(a)
-// with sin(a) ~ Q^(1/3) ~ arm times tilt: the loads are proportional to arm^(-3/4), the tilt to arm^(-5/4).
+// [ISO16281] (2008) takes the tilt into the approach at R_i = d_m/2 + (r_i - D/2) cos(a0) and the moment at
+// d_m/2; we take both at R_i, where the groove centres are. The program takes both at d_m/2. So without a
+// moment its tilt is ours times R_i over d_m/2. Under a moment alone, M ~ arm Q sin(a) with sin(a) ~ Q^(1/3)
+// ~ arm times tilt: the loads are proportional to arm^(-3/4), the tilt to arm^(-5/4).
 TEST(Ball6305, TiltIsThatOfTheProgramButForItsArm) {
   struct Tilted {
     const char* name;

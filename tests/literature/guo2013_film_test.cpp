@@ -1,4 +1,4 @@
-// Issue 15, Build 4 and 6: films of the printed rows of [Guo2013]. The contact and the oil are not printed: four constants were fitted
+// Films of the printed rows of [Guo2013]. The contact and the oil are not printed: four constants were fitted
 // to these rows.
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace orbearing::bearing::film::guo2013_film_test {
 namespace {
 
-constexpr double kPublished = 0.015;  // what is asked of the rows; the fit leaves 0.2 %
+constexpr double kPublished = 0.015;  // required of the rows; the fit leaves 0.2 %
 
 struct Row {
   double load, rolling, spin;              // [N], [m/s], [rad/s]
@@ -31,7 +31,7 @@ TEST(Guo2013Film, PrintedRows) {
   }
 }
 
-// Eq. (10) solved for the load gives the load that Eq. (10) was asked with.
+// Eq. (10) solved for the load returns the load of its approach.
 TEST(Guo2013Film, LoadByApproach) {
   const ApproachLaw law = approach_law(contact, oil);
   for (const double load : {200.0, 3000.0, 10000.0})

@@ -50,7 +50,7 @@ TEST(HamrockBall, FilmsOfBothRaces) {
     Race race;
     double diameter, least, central;  // [m], [um], [um]
   };
-  // Half the sum of the surface speeds where the cage goes with half the inner race's centre speed.
+  // Half the sum of the surface speeds where the cage rotates with half the inner race's centre speed.
   const double surface = 0.25 * speed * (pitch * pitch - ball * ball) / pitch;
   for (const Film& row : {Film{Race::inner, inner, 0.5527, 0.6904}, Film{Race::outer, outer, 0.661, 0.828}}) {
     const PointContact contact =

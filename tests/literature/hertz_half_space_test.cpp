@@ -18,7 +18,7 @@ using constants::pi;
 using constants::two_pi;
 using Eigen::Index;
 
-constexpr double kLine = 0.005;    // what is asked of the middle of a long roller
+constexpr double kLine = 0.005;    // required of the middle of a long roller
 constexpr double kPoint = 0.01;    // and of a crowned one
 constexpr double kPublished = 5e-4;  // the exponent is known to three digits
 
@@ -128,8 +128,8 @@ double quarter_space_exponent() {
              .first;
 }
 
-// The mirrored pressure stands in for a free end: how well, shows in the law of growth towards a sharp
-// corner, 0.226 in truth and 1/2 if the end is forgotten. The correction brings it to 0.255.
+// The mirrored pressure accounts for a free end: its quality shows in the law of growth towards a sharp
+// corner, 0.226 exactly and 1/2 if the end is neglected. The correction brings it to 0.255.
 TEST(HertzHalfSpace, CorrectedEndComesNearTheCornerOfAQuarterSpace) {
   const double exact = quarter_space_exponent();
   EXPECT_NEAR(exact, 0.226, kPublished);

@@ -15,7 +15,7 @@ constexpr double published_stiffness = 0.5e-3;  // [N/(mm um)]
 constexpr double published_contact_ratio = 0.5e-3;
 constexpr double unit = 1e9;  // [Pa] of 1 N/(mm um)
 
-// The web factor printed for all four meshes, for webs of a quarter of the face width; method B is asked
+// The web factor printed for all four meshes, for webs of a quarter of the face width; method B is used
 // without one here, for gears of one piece.
 constexpr double web_factor = 0.862;
 constexpr double published_web_factor = 0.5e-3;

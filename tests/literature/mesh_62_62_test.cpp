@@ -20,7 +20,7 @@ TEST(SpurPair62, ContactRatioOfItsMesh) {
   EXPECT_NEAR(mesh_stiffness(meshing(example_pair(62, 62))).contact_ratio, 1.7897798668, 1e-6);
 }
 
-// The published parts are those of one tooth; both gears are alike.
+// The published parts are those of one tooth; both gears are equal.
 TEST(SpurPair62, PartsAtThePitchPoint) {
   const PairCompliance pair = mesh_stiffness(meshing(example_pair(62, 62))).at_pitch_point;
   expect_stiffness(pair.hertz, 3.5558686e9, 1e-3);

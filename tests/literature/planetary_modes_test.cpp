@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Published{5, translational, 2, {710.0, 1072.0, 1888.1, 2425.3, 7382.4, 11172.3}},
                     Published{5, planet, 2, {1808.2, 5963.8, 6981.7}}));
 
-// Carrier at rest; all members held against rotation.
+// Stationary carrier; all members held against rotation.
 SetParameters cooley_parker(int planets) {
   const Mesh mesh{.pressure_angle = 20.0 * std::numbers::pi / 180.0,
                   .stiffness = PeriodicCurve::constant(100e6)};

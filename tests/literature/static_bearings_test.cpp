@@ -1,6 +1,6 @@
 // A roller bearing and a ball bearing by one and the same functions, from the bearing to its reference life:
 // the 209 of [Harris2006] and the 6305 of [ISO16281], with the numbers of harris_209_laminae_test.cpp and
-// ball_6305_test.cpp. Issue 13, Build 1.
+// ball_6305_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,8 +83,8 @@ TEST(StaticBearings, RollersAndBallsGoOneWay) {
   }
 }
 
-// Of the most heavily loaded lamina by Hertz's line contact; of a ball it grows with the third root of its
-// load.
+// Pressure of the most heavily loaded lamina by Hertz's line contact; that of a ball grows with the third
+// root of its load.
 TEST(StaticBearings, PressureIsThatOfTheMostHeavilyLoadedContact) {
   const Bearing rollers = bearing_209(0.0), balls = bearing_6305(0.0);
   const RingLoad load{.radial = 2000.0};

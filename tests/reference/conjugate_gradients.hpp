@@ -13,7 +13,7 @@ struct ConjugateGradients {
   RectangleInfluence influence;
   double compliance = 0.0;  // [1/Pa]  1/(pi E*)
   Eigen::ArrayXXd area;     // [m^2]   of one element
-  Eigen::ArrayXd count;     // [-]     elements that a row's one stands for
+  Eigen::ArrayXd count;     // [-]     elements that a row's one represents
   Eigen::ArrayXXd gap;      // [m]     of the undeformed bodies at approach zero
   double load = 0.0;        // [N]     0: the approach is given instead
 

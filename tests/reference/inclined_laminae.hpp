@@ -1,8 +1,8 @@
-// A planet on tapered rollers cut into laminae, as an engineer would write it who had seen the geometry and
-// none of the program: each lamina has a point on the outer race and the normals of both races as vectors,
-// the planet is a rigid body, a roller sinks along the inner normal and turns about the point where both
-// normals of its middle meet. Roots by regula falsi, one within the other; the planet by Newton's method on
-// differences with an elimination of its own. Slow and plain. It includes nothing of the library.
+// A planet on tapered rollers cut into laminae, as an engineer would write it from the geometry without the
+// program: each lamina has a point on the outer race and the normals of both races as vectors, the planet is
+// a rigid body, a roller approaches along the inner normal and rotates about the point where both normals of
+// its middle meet. Roots by regula falsi, one within the other; the planet by Newton's method on differences
+// with an elimination of its own. Slow and plain. It includes nothing of the library.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct LaminaLoads {
   double residual = 0.0;                          // [N]
 };
 
-/// Where a planet under `force` [N] and `moment` [N m] (about x and y) balances.
+/// Equilibrium of a planet under `force` [N] and `moment` [N m] (about x and y).
 LaminaLoads laminae_in_balance(const std::vector<LaminaRoller>& rollers, const std::array<double, 3>& force,
                                const std::array<double, 2>& moment);
 

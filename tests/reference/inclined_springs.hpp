@@ -1,8 +1,8 @@
-// A planet on rollers or balls as nonlinear springs in space, as an engineer would write it who had seen the
-// geometry and none of the program: each element has a point, a normal of the outer race and one of the inner
-// race as vectors, the planet is a rigid body whose points move by translation and a small rotation. Where an
-// element stands between its races is found by bisection, where the planet stands by Newton's method on
-// differences with an elimination of its own. Slow and plain. It includes nothing of the library.
+// A planet on rollers or balls as nonlinear springs in space, as an engineer would write it from the geometry
+// without the program: each element has a point, a normal of the outer race and one of the inner race as
+// vectors, the planet is a rigid body whose points move by translation and a small rotation. The position of
+// an element between its races is found by bisection, that of the planet by Newton's method on differences
+// with an elimination of its own. Slow and plain. It includes nothing of the library.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct SpringLoads {
   double residual = 0.0;             // [N]  largest of the forces left, moments over 1 m
 };
 
-/// Where a planet under `force` [N] and `moment` [N m] (about x and y) balances.
+/// Equilibrium of a planet under `force` [N] and `moment` [N m] (about x and y).
 SpringLoads springs_in_balance(const std::vector<InclinedSpring>& springs, const Space& force,
                                const std::array<double, 2>& moment, bool tilts);
 

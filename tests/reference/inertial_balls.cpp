@@ -66,9 +66,8 @@ double friction_coefficient(const bearing::ShearParameters& law, double sliding,
   return law.limiting_friction * -std::expm1(-stress / limit);
 }
 
-// What the oil that is pressed out adds to the load: pressure (c - a x)/h^2 over the plane where it is
-// positive, less what it is without closing, by Simpson's rule in polar coordinates; film and bodies yield in
-// series.
+// Load that the squeeze film adds: pressure (c - a x)/h^2 over the plane where it is positive, less the load
+// without closing, by Simpson's rule in polar coordinates; film and bodies deflect in series.
 double squeezed_load(const bearing::balls::GrooveNumbers& groove, double approach, double elastic,
                      double speed, double closing) {
   const bearing::RigidPointFilm& oil = groove.squeeze.film;

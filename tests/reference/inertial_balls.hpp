@@ -31,7 +31,7 @@ struct Bodies {
   Bodies after(double time, const Bodies& rate) const;
 };
 
-/// What is left of `v` without its part along `axis`, a unit vector.
+/// The part of `v` perpendicular to `axis`, a unit vector.
 Vector across(const Vector& axis, const Vector& v);
 
 struct Wrench {
@@ -41,8 +41,8 @@ struct Wrench {
   void add(const Body& body, const Vector& point, const Vector& force_there);
 };
 
-/// What acts from outside: of moments the part across a ring's axis. The drives act about it, with moments
-/// that give the rings these accelerations.
+/// External loads: of moments the part across a ring's axis. The drives act about it, with moments that give
+/// the rings these accelerations.
 struct Surroundings {
   double inner_acceleration = 0.0;  // [rad/s^2]
   double outer_acceleration = 0.0;  // [rad/s^2]
@@ -86,7 +86,7 @@ struct Outcome {
 
 Outcome outcome(const bearing::balls::BallNumbers& bearing, const Surroundings& around, const Bodies& bodies);
 
-/// Of the whole; rates by `rate` where the rings' rotations about their own axes are in.
+/// Momenta of the whole; rates by `rate` where the rings' rotations about their own axes are in.
 struct Momenta {
   Vector linear = Vector::Zero();   // [N s]
   Vector angular = Vector::Zero();  // [N m s]  about the origin

@@ -92,8 +92,8 @@ double rigid_film_load(const BearingNumbers& b, double radius, double gap, doubl
   return b.oil.viscosity * b.roller_length * scale / (gap * gap) * sum * (end - begin) / (3.0 * kPieces);
 }
 
-// What squeezing adds to a contact that carries `load` where the surfaces are `gap` apart, negative for an
-// overlap. Film and bodies yield in series under one load.
+// Load that squeezing adds to a contact that carries `load` where the surfaces are `gap` apart, negative for
+// an overlap. Film and bodies deflect in series under one load.
 double squeezed_load(const BearingNumbers& b, double radius, double speed, double gap, double load,
                      double closing) {
   const double central = OilFilm(b, radius, speed).central(load);
@@ -160,7 +160,7 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   const double steep = outside ? rim.slope(position) : 0.0;
   const double gap = outside ? race_radius + further - distance - a : distance - race_radius - a;
   const Plane touch = roller.position + a * towards_race;
-  // The point of contact stays on the line of centres, which passes along a bore whose form stands in the
+  // The point of contact remains on the line of centres, which passes along a bore whose form is fixed to the
   // carrier.
   const double line_speed = along(roller.velocity - race.velocity, tangent) / distance;
   double closing = along(roller.velocity - race.velocity, towards_race);
@@ -182,14 +182,15 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   on_roller.add(roller, touch, -load * towards_race + friction);
   on_race.add(race, touch, load * towards_race - friction);
 
-  // A slope pushes the roller through its centre, as work on it says: load times the change of the gap.
+  // A slope pushes the roller through its centre, as the work on it requires: load times the change of the
+  // gap.
   on_roller.force += load * steep / distance * tangent;
   on_race.add(race, roller.position, -load * steep / distance * tangent);
   for (std::size_t i = 0; outside && i < b.rim.size(); ++i)
     on_rim[i] += load * std::polar(1.0, b.rim[i].order * (position - rim.carrier.angle));
 
-  // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps forces and
-  // moments of both in balance goes through the centres.
+  // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps both in
+  // equilibrium of forces and moments passes through the centres.
   const double drag = inlet_drag(b, radius, speed, load) * rolling / speed;
   const double roller_arm = along(touch - roller.position, outward);
   const double race_arm = along(touch - race.position, outward);
@@ -255,7 +256,7 @@ void guide(const BearingNumbers& b, const Body& cage, const Body& land, Load& on
   const double length = std::abs(offset);
   const Plane towards = length > 0.0 ? offset / length : Plane{1.0, 0.0};
   const double held = std::min(length / b.land_clearance, b.held_eccentricity);
-  // What is left of the cage's velocity in a frame that turns with the mean of both surfaces.
+  // Velocity of the cage in a frame that rotates with the mean of both surfaces.
   const Plane squeeze = cage.velocity - land.velocity - 0.5 * (cage.speed + land.speed) * kTurn * offset;
   const Plane force = std::abs(squeeze) > 0.0 ? squeezed(b, held, towards, squeeze) : Plane{};
   const double shear = 2.0 * kPi * b.oil.viscosity * std::pow(b.cage_guide_radius, 3.0) * b.lands *

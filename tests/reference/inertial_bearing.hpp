@@ -1,8 +1,8 @@
-// The planet bearing once more, and differently: as an engineer would write it who had seen the equations and
-// none of the program. An inertial frame with its origin on the carrier's axis, Cartesian coordinates,
-// absolute speeds, so that no fictitious force exists to be forgotten or to have a wrong sign; contact
-// kinematics from the velocities of two points; films found by bisection, the land's film by quadrature. Slow
-// and plain. It includes nothing of the library. Points and vectors of the plane are complex numbers.
+// A second, different program of the planet bearing, as an engineer would write it from the equations without
+// the first. An inertial frame with its origin on the carrier's axis, Cartesian coordinates, absolute speeds,
+// so that no fictitious force can be left out or have a wrong sign; contact kinematics from the velocities of
+// two points; films found by bisection, the land's film by quadrature. Slow and plain. It includes nothing of
+// the library. Points and vectors of the plane are complex numbers.
 #pragma once
 
 #include <complex>
@@ -17,8 +17,8 @@ struct Oil {
   double pressure_viscosity;  // [1/Pa]
 };
 
-/// One way in which the bore bends: it stands further out by Re(conj(a) e^(i order phi)), phi the angle from
-/// the carrier's arm.
+/// One wave of the bending bore: its radius is larger by Re(conj(a) e^(i order phi)), phi the angle from the
+/// carrier's arm.
 struct RimWave {
   int order;
   double stiffness, mass, damping;  // [N/m], [kg], [N s/m]
@@ -82,8 +82,8 @@ struct Accelerations {
   std::vector<Plane> rim;                      // [m/s^2]  of the amplitudes
 };
 
-/// What Newton and Euler say under the contacts' forces and `bore_force` [N], which acts on the bore from
-/// outside: in inertial directions, without anything that a turning frame would add.
+/// Accelerations by Newton and Euler under the contacts' forces and `bore_force` [N], which acts on the bore
+/// from outside: in inertial directions, without terms of a rotating frame.
 Accelerations accelerations(const BearingNumbers& bearing, const Carrier& carrier, const Bodies& bodies,
                             Plane bore_force);
 

@@ -44,7 +44,7 @@ Eigen::MatrixXd cosines(Index rows, Index waves, Index period) {
   return cosine;
 }
 
-/// Each row but the first, and each wave but the first and the last, stands for two.
+/// Each row but the first, and each wave but the first and the last, counts twice.
 Eigen::VectorXd counts(Index size, bool last_once) {
   Eigen::VectorXd count = Eigen::VectorXd::Constant(size, 2.0);
   count(0) = 1.0;

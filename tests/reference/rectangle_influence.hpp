@@ -13,7 +13,7 @@ struct RowGrid {
   int rows = 0;          // [-]  stored ones: 0 to (rows - 1) h
   double spacing = 0.0;  // [m]  h
 
-  /// 1 for the middle row, 2 for the others, which stand for two.
+  /// 1 for the middle row, 2 for the others, which count twice.
   double count(Eigen::Index row) const { return row == 0 ? 1.0 : 2.0; }
 };
 
@@ -26,7 +26,7 @@ class RectangleInfluence {
   /// For pressure (elements, rows): integral over each element of the integral of p/r [N], without 1/(pi E*).
   Eigen::ArrayXXd apply(const Eigen::ArrayXXd& pressure) const;
 
-  /// Of each element on itself, by unit pressure [m^3]  (elements).
+  /// Influence of each element on itself, by unit pressure [m^3]  (elements).
   const Eigen::ArrayXd& own() const { return own_; }
 
  private:

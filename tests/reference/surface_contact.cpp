@@ -21,7 +21,7 @@ constexpr double kMargin = 1.15;  // of the grid across over the strips' greates
 constexpr double kWiden = 1.3;    // where the contact reaches the outermost row
 constexpr int kMostWidenings = 6;
 
-/// What is the same on every grid across.
+/// Data that do not depend on the grid across.
 struct Plane {
   const HalfSpaceContact& contact;
   const StripContact& strips;

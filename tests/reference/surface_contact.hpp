@@ -14,7 +14,7 @@ namespace orbearing::bearing::half_space {
 struct SurfaceSettings {
   int elements = 64;      // [-]  along the roller
   double grading = 0.92;  // [-]  see graded_grid
-  double reach = 0.0;     // [m]  of the grid across, from the middle; 0: as the strips' widths ask
+  double reach = 0.0;     // [m]  of the grid across, from the middle; 0: by the strips' widths
   int rows = 24;          // [-]  from the middle outwards, over the reach
   double tolerance =
       1e-8;  // [-]  rms distance of the loaded surfaces, and overlap of unloaded ones, over the

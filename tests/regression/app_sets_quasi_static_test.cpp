@@ -14,7 +14,7 @@
 namespace orbearing::app::app_sets_quasi_static_test {
 namespace {
 
-// The races balance to 1e-12 of the loads; libraries of another machine may round otherwise.
+// The loads of the races balance to 1e-12; libraries of another machine may round otherwise.
 constexpr double same_result = 1e-9;
 const std::string table_file = ORBEARING_SOURCE_DIR "/tests/regression/sets_quasi_static.txt";
 

@@ -14,7 +14,7 @@
 namespace orbearing::study::reducer_quasi_static_test {
 namespace {
 
-// The races balance to 1e-12 of the loads; libraries of another machine may round otherwise.
+// The loads of the races balance to 1e-12; libraries of another machine may round otherwise.
 constexpr double kSameResult = 1e-9;
 const std::string kTable = ORBEARING_SOURCE_DIR "/tests/regression/reducer_quasi_static.txt";
 

@@ -1,4 +1,4 @@
-// What the C++ library of Debian's emscripten 3.1.6 lacks of C++20, for the sources as they stand. Included
+// Parts of the C++20 library that Debian's emscripten 3.1.6 does not have and the sources use. Included
 // before each of them by the compiler (engine.cmake); nothing is added where the library has it.
 #pragma once
 

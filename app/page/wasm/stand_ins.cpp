@@ -1,5 +1,6 @@
-// What the engine does without: threads, netCDF files, FMUs, Python, records of measurements. Points are
-// computed one after the other; commands that need the rest are not among those that a page asks for.
+// Replacements for parts that the engine does not have: threads, netCDF files, FMUs, Python, records of
+// measurements. Points are computed one after the other; the page requests no command that needs the other
+// parts.
 #include <filesystem>
 #include <stdexcept>
 
@@ -66,7 +67,7 @@ const std::vector<PythonCommand>& python_commands() {
 }
 void hand_over(int, char**) {}
 
-// Commands that a page never asks for.
+// Commands that a page never requests.
 #define ORBEARING_NO_COMMAND(name)                              \
   int name##_command(const Options&) {                          \
     throw std::logic_error(#name ": no command of the engine"); \

@@ -1,5 +1,5 @@
-// What app/case/units.cpp calls of udunits2, over a table of the units that udunits2 itself has
-// (units_table.py): the library reads a database by a reader of XML, which there is none of in a browser.
+// Functions of udunits2 that app/case/units.cpp calls, over a table of the units that udunits2 itself has
+// (units_table.py): the library reads its database with an XML reader, which a browser build does not have.
 #include <udunits2.h>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ class Reader {
     return left_.size() < before;
   }
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  // Of the bytes of a name: letters, those beyond ASCII but for signs, and _ % ' ".
+  // Whether the byte may be in a name: letters, bytes beyond ASCII except signs, and _ % ' ".
   static bool is_letter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '%' || c == '\'' ||
            c == '"' || static_cast<unsigned char>(c) >= 0x80;
@@ -248,7 +248,7 @@ int ut_is_dimensionless(const ut_unit* unit) {
   return std::all_of(unit->of.powers.begin(), unit->of.powers.begin() + kRadian,
                      [](int one) { return one == 0; });
 }
-// All that is asked of it: whether there are radians.
+// The only purpose here: whether the unit has radians.
 int ut_format(const ut_unit* unit, char* into, std::size_t size, unsigned) {
   const std::string_view text = unit->of.powers[kRadian] != 0 ? "rad" : "1";
   if (size <= text.size()) return -1;

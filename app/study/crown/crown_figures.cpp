@@ -100,7 +100,7 @@ std::size_t heaviest(const CrownProblem& problem) {
   return static_cast<std::size_t>(found - problem.duties.begin());
 }
 
-// What is stated; null where it is computed.
+// Tilt [mrad] that is stated; null where it is computed.
 ordered_json shown_tilt(const Stage& stage, double tilt) {
   if (stage.request.computes_tilt()) return nullptr;
   return 1e3 * tilt;

@@ -98,7 +98,7 @@ bool states_computed_tilt(const ResolvedCase& resolved) {
   return resolved.has(state) && resolved.choice(state) == "computed";
 }
 
-// What keeps the tilt of a case from being computed without being asked for; empty: nothing.
+// Input of the case that prevents a computed tilt by default; empty: none.
 std::string reason_to_state(const ResolvedCase& resolved) {
   if (resolved.shape().several) return "several sets";
   if (resolved.has("gearset.planet_rim") && resolved.choice("gearset.planet_rim") == "elastic")
@@ -181,7 +181,7 @@ std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, M
   return shares;
 }
 
-// What the case states.
+// Points of the spectrum that the case states.
 std::vector<crowning::SpectrumPoint> points_of(const LoadSpectrum& stated) {
   std::vector<crowning::SpectrumPoint> points;
   for (const LoadBin& bin : stated.bins)
@@ -230,7 +230,7 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
   return names;
 }
 
-// Of the lives by which results may go, those by C and P are the same whatever the crown.
+// Life for the comparison of crowns. Of the governing lives, those by C and P do not depend on the crown.
 crowning::LifeMethod method_of(const ResolvedCase& resolved, const CrownOptions& options) {
   const bool by_case = options.life.empty() && life_method(resolved) == crowning::LifeMethod::iso16281;
   return by_case || options.life == "iso16281" ? crowning::LifeMethod::iso16281

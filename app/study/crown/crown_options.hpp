@@ -1,4 +1,4 @@
-// What `orbearing crown` is asked beyond the case, as text and as numbers.
+// Options of `orbearing crown` besides the case, as text and as numbers.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,14 +13,14 @@ namespace orbearing::app {
 
 // Lists of quantities on the command line: "0 mrad, 1 mrad" or "0 um : 16 um : 2 um".
 
-/// What values of a list may be.
+/// Permitted values of a list.
 struct ListRange {
   double least = 0.0, most = 0.0;  // [dimension.si]
   std::string words;               // "tilts from 0 to 100 mrad"
 };
 
-/// Numbers [dimension.si] in the order given; "FROM : TO : STEP" stands for all in between. `mistakes` takes
-/// what is wrong, as it was written, each beginning with `option`.
+/// Numbers [dimension.si] in the order given; "FROM : TO : STEP" means all in between. Faults are added to
+/// `mistakes` as they were written, each beginning with `option`.
 std::vector<double> quantity_list(const std::string& option, const std::string& text,
                                   const Dimension& dimension, const ListRange& range,
                                   std::vector<std::string>& mistakes);
@@ -42,7 +42,7 @@ struct CrownOptions {
   int starts = 10;
 };
 
-/// The same as JSON, so that a report can ask the same again.
+/// The same as JSON, so that a report can repeat the study.
 nlohmann::ordered_json options_json(const CrownOptions& options);
 CrownOptions options_from(const nlohmann::ordered_json& object);
 
@@ -76,7 +76,7 @@ struct CrownCase {
 /// Throws BadInput where the case has no planet bearing.
 CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options);
 
-/// Of a case as crown_case() gives it. Throws BadInput with every mistake at once.
+/// Request for a case from crown_case(). Throws BadInput with every mistake at once.
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options);
 
 }  // namespace orbearing::app

@@ -109,7 +109,8 @@ void describe_spectrum_point(Record& row, const CrownStudy& study, const Spectru
   row.value("share", dimension::ratio, "of the time", point.share);
 }
 
-// Of the points of the spectrum those that turn for some time, in their order, as the problem takes them.
+// Results of the points of the spectrum that have a speed and a share of time, in their order, as in the
+// problem.
 void describe_duties(Record& record, const CrownStudy& study) {
   std::vector<SpectrumPoint> points;
   for (const SpectrumPoint& point : study.request.spectrum)
@@ -143,7 +144,7 @@ std::string rollers_to_take(const CrownStudy& study) {
   return study.straight.edge_ratio > 1.0 ? "straight with relieved ends" : "straight";
 }
 
-// Where there are tolerances.
+// Tolerances and the results under them; for studies with tolerances.
 void describe_tolerance(Record& record, const CrownStudy& study) {
   const CrownRequest& request = study.request;
   const HalfSpaceAdvice& advice = study.recommended.advice;

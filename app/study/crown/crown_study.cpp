@@ -27,7 +27,7 @@ struct Bench {
   int jobs;
 };
 
-// Of the worst; a population has no band of its own.
+// Whether there is a band of the worst case; a population has no band of its own.
 bool has_band(const CrownRequest& request) {
   if (request.computes_tilt()) return false;
   return request.tolerance.drop > 0.0 || request.tolerance.tilt > 0.0;
@@ -187,8 +187,8 @@ double share_beside(const CrownSearch& search, const ProfileFamily& family, doub
   return search.best.crown.drop > kAtEnd * greatest ? search.best.crown.share : default_share(family);
 }
 
-// Of each kind the best drop by half-space pressures, with the share that laminae find; the one that lives
-// longest.
+// Best drop of each kind of profile by half-space pressures, with the share found with laminae; the profile
+// with the longest life.
 Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
   constexpr double default_miss = 1e-6;  // [m]
   const CrownRequest& request = bench.request;

@@ -71,9 +71,9 @@ struct CrownStudy {
   std::vector<std::vector<study::crowning::CrownPoint>> points;           // (profiles)(drops x tilts)
   std::vector<std::vector<study::crowning::WorstOfTilts>> worst;          // (profiles)(drops)
   std::vector<CrownSearch> searches;                                      // (profiles)
-  std::size_t best = 0;                                                   // the profile that lives longest
+  std::size_t best = 0;                                                   // the profile with the longest life
   CrownDesign straight;
-  CrownDesign reference;  // profile of ISO/TS 16281 as it stands in the standard
+  CrownDesign reference;  // profile of ISO/TS 16281 as in the standard
   std::vector<CrownSearch>
       robust;  // (profiles) best within the tolerances; empty without any, or computed tilts
   std::size_t best_robust = 0;
@@ -81,7 +81,7 @@ struct CrownStudy {
   double case_hours = 0.0;           // [h]  governing life with the profile of the case, worst over the tilts
   std::optional<LivesInRun> in_run;  // once put_lives_in_run() has computed it
   std::vector<std::string> warnings;
-  int failed = 0;  // points without balance
+  int failed = 0;  // points without equilibrium
 };
 
 /// Runs it on `jobs` threads (0: all); `progressed` is called with finished points of the grid. Throws
@@ -100,7 +100,7 @@ std::string warning_of_recommended(const CrownStudy& study);
 /// The lives in run for terminals.
 std::string text_in_run(const CrownStudy& study);
 
-/// `points`, `optimum`, `straight` and what stands beside them; nothing where a point failed.
+/// `points`, `optimum`, `straight` and further results; nothing where a point failed.
 void describe(described::Record& record, const CrownStudy& study);
 
 /// Points of the grid.
@@ -115,11 +115,11 @@ study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& pr
 
 inline constexpr const char* crown_file_name = "crown.json";
 
-/// What the command prints, either way.
+/// Output of the command, as JSON and as text.
 struct CrownResult {
   nlohmann::ordered_json object;
   std::string text;
-  int failed = 0;  // points without balance
+  int failed = 0;  // points without equilibrium
 };
 
 void write_crown(const std::filesystem::path& folder, const CrownResult& result);
@@ -130,7 +130,7 @@ CrownResult read_crown(const std::filesystem::path& folder);
 /// Whether `folder` holds a crowning study.
 bool holds_crown(const std::filesystem::path& folder);
 
-/// What pictures show beyond the result, which the command printed as JSON: `profiles` (to scale), `pressure`
+/// Data of figures besides the result, which the command printed as JSON: `profiles` (to scale), `pressure`
 /// (curves along the roller, each profile with and without tilt), `zone` (pressure over the load zone), `map`
 /// (life over drop and tilt), `fronts` (life against pressure, each kind of profile), `speeds` (life over
 /// input speed).

@@ -49,7 +49,7 @@ class StageCase:
         put_oil(self.source, self.draft, users)
         return self.draft
 
-    # What drives the stage
+    # Drive of the stage
 
     def _put_input(self) -> None:
         for names, parts in ((("torque", "load_power"), self._loads()), (("speed",), self.model.of_type("shaft"))):

@@ -10,7 +10,7 @@ from orbearing.errors import CaseError
 from orbearing.rexs.ledger import Draft, Ledger
 from orbearing.rexs.names import OURS, in_unit
 
-# What a case can do without: taken out, first match first, where the check refuses it.
+# Optional inputs of a case: taken out, first match first, where the check refuses it.
 OPTIONAL = ("gearset.profile_shift.planet", "gearset.centre_distance", "gearset.planet_angles", "gearset.addendum_of", "gearset.clearance_of",
             "gearset.addendum", "gearset.clearance", "gearset.root_fillet_radius", "gearset.sun_bore_ratio", "gearset.ring_outside_ratio",
             "gearset.planet_bore_ratio", "gearset.dynamics", "material", "spectrum", "life", "support", "bearing.tilt_state", "bearing.profile",

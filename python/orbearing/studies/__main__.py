@@ -87,7 +87,7 @@ def rows_of_table(file: Path) -> list[dict[str, str]]:
     names = [name for name, _ in _cells(lines[0][1])]
     heads = [re.fullmatch(r"((?:[a-z]\w*)(?:\.[\w\[\]-]+)+)(?:\s*\((.+)\))?", name) for name in names]
     if not all(heads) or len({head[1] for head in heads if head}) < len(heads):
-        # What a file that is no table of numbers holds is not shown.
+        # The content of a file that is no table of numbers is not shown.
         shown = f"the head '{', '.join(names)}'" if any(heads) else "a first line that names no paths"
         if any(";" in name for name in names):
             shown += " (semicolons in it: commas separate columns here, and decimals follow a point)"

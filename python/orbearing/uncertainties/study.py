@@ -118,7 +118,7 @@ class Study:
         peaks = refined_peaks(speeds, lives, lambda rows, rpm: self._lives(values[rows], rpm)[0])
         return lives, lives / factors, peaks, values, cube
 
-    # What they say
+    # Results
 
     def _scatter(self, lives: np.ndarray, nominal_l10: float, l10: np.ndarray) -> dict:
         """Three bands apart: what is not known, what bearings do at given inputs, both. Bearings scatter about the life that nine tenths reach."""

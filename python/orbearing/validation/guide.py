@@ -79,7 +79,7 @@ def counts_table(rows: Sequence[Row]) -> str:
     return table(("kind of evidence", "values", "sources", *VERDICTS, "counts", "most frequent reason of a miss"), lines)
 
 
-# What a specialist asks first, and the classes of quantities that answer it.
+# The first questions of a specialist, and the classes of quantities for them.
 FIRST_ASKED = {"friction": ("friction",), "heat": ("friction and heat",), "slip": ("cage speed", "slip"), "loads": ("contact load", "bearing load"),
                "load sharing": ("load sharing",), "stiffness": ("stiffness", "displacement", "tilt"),
                "vibration": ("natural frequency", "characteristic frequency", "acceleration")}

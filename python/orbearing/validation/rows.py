@@ -145,7 +145,7 @@ def calibration(rows: Iterable[Row]) -> Calibration:
     return Calibration(len(banded), within(50, False), within(90, False), within(50, True), within(90, True))
 
 
-# Of the normal distribution: half of the middle 50 and 90 %, in standard deviations.
+# Half of the middle 50 and 90 % of the normal distribution, in standard deviations.
 _HALF = {50: 0.67449, 90: 1.64485}
 
 

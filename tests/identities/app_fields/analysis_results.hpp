@@ -1,4 +1,4 @@
-// What each analysis shows of a case, as one text with all digits: equal texts are results equal to the last
+// Results of each analysis of a case, as one text with all digits: equal texts are results equal to the last
 // bit.
 #pragma once
 
@@ -50,7 +50,7 @@ std::string record_text(const Result& result) {
   return json_of(record_of(result)).dump();
 }
 
-/// Of the requirements that the case states.
+/// Verdicts on the requirements that the case states.
 inline std::string verdicts_result(const std::vector<Verdict>& verdicts) {
   Record record;
   describe_verdicts(record, verdicts);
@@ -117,8 +117,8 @@ inline std::string crown_result(const ResolvedCase& in) {
          point.status;
 }
 
-/// What is inside an FMU, driven for a while at fixed inputs.
-/// With the parameters that it shows, else at `parameters`.
+/// Outputs of the model inside an FMU, run for a while at fixed inputs, with the parameters that the FMU
+/// shows, or with `parameters`.
 inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
                                   std::vector<double> parameters = {}) {
   constexpr double step = 2e-5;  // [s]

@@ -1,6 +1,6 @@
-// The same as every_field_test in cases that use more of what there is: in each, every field is changed by
-// itself. What the analysis is said to use changes its result; what is said to have no effect, or not to be
-// felt, leaves it equal to the last bit. Issue 52, items 5 and 7.
+// The same as every_field_test in cases that use more of the features: in each, every field is changed by
+// itself. A field that the analysis is stated to use changes its result; one that is stated to have no
+// effect, or not to be modelled, leaves it equal to the last bit.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -188,7 +188,7 @@ struct Subject {
   use::Analysis analysis = use::quasi_static;
 };
 
-// tools/test --full asks for all of them, apart from the other tests.
+// tools/test --full runs all of them, apart from the other tests.
 bool is_full() {
   const char* full = std::getenv("EVERY_CONTEXT");
   return full != nullptr && std::string(full) == "yes";
@@ -214,7 +214,7 @@ std::string subject_name(const testing::TestParamInfo<Subject>& info) {
   return name;
 }
 
-// What counts in circumstances that a short run need not meet.
+// Fields that have an effect only in conditions that a short run may not reach.
 bool counts_now_and_then(const std::string& path) {
   static const std::set<std::string> paths{
       "bearing.cage.largest_eccentricity", "bearing.cage.touch_down_stiffness",  // where the cage comes so near

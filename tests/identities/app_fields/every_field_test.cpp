@@ -1,7 +1,6 @@
 // Nothing is ignored in silence: every field of every kind of case, changed under every analysis, changes the
-// result, or is refused, or is warned of; and what an analysis is said not to feel by nature, or to ignore,
-// leaves its result equal to the last bit. So the table of fields cannot lie in either direction.
-// Issue 13, Build 4.
+// result, or is refused, or is warned of; and a field that an analysis is stated not to model, or to ignore,
+// leaves its result equal to the last bit. So the table of fields cannot be wrong in either direction.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +58,7 @@ bool is_label(const Field& field) {
   return labels.contains(field.path);
 }
 
-// What happened to one pair of field and analysis.
+// Outcome for one pair of field and analysis.
 struct Verdict {
   bool refused = false;
   bool warned = false;
@@ -76,7 +75,7 @@ class EveryField : public testing::TestWithParam<Subject> {
     return (of_set ? set_prefix(base().set) : "") + setting;
   }
 
-  // What a run-up of another part needs is left out where this analysis does not take it.
+  // Settings for a run-up of another part are left out where this analysis does not have them.
   std::vector<std::string> beside(const Change& change) {
     std::vector<std::string> settings;
     for (const std::string& setting : change.beside) {
@@ -104,7 +103,8 @@ class EveryField : public testing::TestWithParam<Subject> {
       const std::vector<std::string> settings = changed(input, beside, change);
       for (const std::string& warning : require_used(in(settings), GetParam().analysis))
         if (warning.starts_with(input.path + ":")) verdict.text += warning;
-      // What is inferred from a designation is warned of where it is used.
+      // The warning of values inferred from a designation is given wherever they are used: it is no warning
+      // of the field.
       verdict.warned = !verdict.text.empty() && verdict.text.find("is inferred from") == std::string::npos;
       verdict.changed = result(settings) != result(beside);
     } catch (const BadInput& refusal) {
@@ -132,7 +132,7 @@ class EveryField : public testing::TestWithParam<Subject> {
   const Base& base() const { return *GetParam().base; }
 
  private:
-  // What one field is compared with is the change of another one now and then.
+  // Results are kept: the reference of one field is sometimes the changed case of another.
   const std::string& result(const std::vector<std::string>& settings) {
     const auto found = results_.find(settings);
     if (found != results_.end()) return found->second;
@@ -150,9 +150,9 @@ class EveryField : public testing::TestWithParam<Subject> {
   std::map<std::vector<std::string>, std::string> results_;
 };
 
-// What moves, crowns a second time or tilts a planet of several sets takes up to a quarter of a second for
-// each field: of these a part every day, each rung another one, so that a quarter of what moves is asked of
-// one; all in each with ORBEARING_FULL=yes.
+// Fields of analyses in motion, of a second crown or of tilting planets of several sets take up to a quarter
+// of a second each: each day a part of them is tested, a different one for each fidelity, of those in motion
+// a quarter for each; all of them for each with ORBEARING_FULL=yes.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
   const use::Analysis analysis = subject.analysis;
@@ -179,7 +179,7 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
       return (field.use.by & use::monolithic) != 0 && unless(10, 12);
     case use::ball_run:
       return unless(4, 6);
-    case use::moving_defect:  // balls roll as in a ball's run, and scratches are felt as without mass
+    case use::moving_defect:  // balls roll as in a ball's run, and scratches act as without mass
       return (field.use.by & (use::ball_run | use::defect)) != 0 && unless(1, 6);
     case use::crown:
     case use::planet_stiffness:
@@ -234,7 +234,7 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
     if (GetParam().analysis == use::fmu_bearing)  // heats no inlet of the film
       std::erase(change.beside, "film.inlet_heating=gupta");
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
-    // What rollers alone have is absent beside balls; the bases of rollers change it.
+    // Fields of rollers alone are absent for balls; the cases with rollers change them.
     if (change.value.empty() && base().name == "planets_on_balls" && !plain.has(input.path)) continue;
     ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
     if (base().reader_may_refuse && !are_cases(input, beside(change), change)) {
@@ -247,14 +247,14 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
                            count.refused, count.warned, count.by_nature);
 }
 
-// Without what must stand beside it, a value has no effect, and that is said.
+// Without the other inputs that it requires, a value has no effect, and that is reported.
 TEST_P(EveryField, WithoutItsConditionIsReported) {
   const ResolvedCase plain = case_of(base(), {});
   int tried = 0;
   for (const Input& input : plain.inputs()) {
     if (is_left_to_full_tests(*input.field, GetParam())) continue;
     if (stays_as_it_is(*input.field, plain)) continue;
-    // What counts only without another value is not without its condition here.
+    // A field that has an effect only where another value is absent has its condition here.
     const std::vector<Condition>& conditions = input.field->use.conditions;
     if (std::all_of(conditions.begin(), conditions.end(), [](const Condition& c) { return c.absent; }))
       continue;
@@ -272,7 +272,7 @@ TEST_P(EveryField, WithoutItsConditionIsReported) {
 
 INSTANTIATE_TEST_SUITE_P(AllCases, EveryField, testing::ValuesIn(subjects()), subject_name);
 
-// Planets in pairs are a kind of gear train of their own: each of their fields changes a point at rest.
+// Planets in pairs are a kind of gear train of their own: each of their fields changes a quasi-static point.
 TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
   const Base base{"planets_in_pairs", kDrivetrain + kGears + kBearing};
   const std::vector<std::string> pairs{"gearset.teeth.ring=121", "gearset.second_planet.teeth=24"};
@@ -286,14 +286,14 @@ TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
     EXPECT_NE(result(setting), plain) << setting;
 }
 
-// Rows say one thing of each analysis.
+// A row states one status for each analysis.
 TEST(FieldUse, AnalysesOfARowAreDisjoint) {
   for (const Field& field : all_fields()) {
     SCOPED_TRACE(field.path);
     EXPECT_EQ(field.use.by & field.use.not_modelled_by, 0u);
     EXPECT_EQ(field.use.by & field.use.refused_by, 0u);
     EXPECT_EQ(field.use.not_modelled_by & field.use.refused_by, 0u);
-    // What lies behind the sets comes back to none of them: it stands in the power flow of check.
+    // A stage behind the sets has no effect on any of them: it is in the power flow of check.
     const bool used = field.use.by != 0u ||
                       std::ranges::any_of(field.use.ways, [](const Way& way) { return way.by != 0u; });
     EXPECT_NE(used, field.path == "parallel_stage.behind") << "a field that nothing uses";
@@ -309,7 +309,7 @@ TEST(FieldUse, ANewAnalysisCannotForgetAField) {
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("bearing.rollers")));
 }
 
-// What cannot be felt is no nuisance where the file gives it: one case serves all rungs.
+// A value that is not modelled causes no warning where the file gives it: one case serves all fidelities.
 TEST(FieldUse, AFileIsNotWarnedOfWhatIsNotModelled) {
   EXPECT_TRUE(require_used(case_of(bases().front(), {}), use::quasi_static).empty());
   for (const char* name :
@@ -327,7 +327,8 @@ const Base& base_named(const std::string& name) {
   return *std::find_if(bases().begin(), bases().end(), [&](const Base& base) { return base.name == name; });
 }
 
-// What counts because of displaced pins counts in the set that has them, not in another one.
+// Inputs that have an effect because of displaced pins have it in the set with these pins, not in another
+// one.
 TEST(FieldUse, PinsThatDoNotCountMakeNothingFelt) {
   const std::string block = "gearset.dynamics.", pins = "pin_error.tangential=[4 um, 0 um]";
   const std::string mass = "sun.mass=1.3 kg";
@@ -363,7 +364,7 @@ TEST(FieldUse, ASweepOfWhatHasNoEffectHereIsRefused) {
   EXPECT_EQ(refusal_of(bases().front(), {axis}, use::quasi_static, Axes::all), "");
   EXPECT_THAT(refusal_of(bases().front(), {axis, "lubricant.grade=ISO VG 220"}, use::quasi_static, Axes::all),
               HasSubstr("it counts only where lubricant.grade is not given"));
-  // What it hangs on may be swept too: then it counts at some of the points.
+  // The input of its condition may be swept too: then it has an effect at some of the points.
   const std::vector<std::string> both{"sweep.gearset.dynamics.run_up.from=[0.2, 0.4]",
                                       "sweep.gearset.dynamics.run_up.duration=[0 s, 1 s]"};
   EXPECT_THAT(refusal_of(bases().front(), both, use::gears, Axes::all), Not(HasSubstr("has no effect")));

@@ -1,15 +1,15 @@
-// Issue 44, Build 4 (c). Features that meet: for every two of them a change of the case of which the right
-// answer is known. Each feature brings the changes that leave a case with it as it was:
+// Combined features: for every two of them a change of the case with a known correct result. Each feature has
+// changes that leave a case with it unchanged:
 //   uneven planets    each planet takes the pin of the one before it: the planets' results go round
 //   helical teeth     the drivetrain in a mirror across its axis: forces along it turn round, lives do not
 //   several sets      a set in front is the set alone, and the one behind it is that set on its own shaft
-//   oil               the life by cleanliness stands beside the others, which stay; all together by its own
+//   oil               the life by cleanliness is added to the others, which stay; all together by its own
 //   computed tilt     the mirror again, with the bearings of a planet in reverse order
 //   load spectrum     a bin in two halves, and both bins in the other order; damage adds up
 //   elastic rim       the stiffer its material, the nearer it is to a rigid one, and nearly with its modulus
 //   laminae           the mirror again, with profiles in reverse; straight ones are as whole contacts
-//   defect            the same vibration, since it does not feel the other; or it is mirrored, or bends as
-//   above; in the set in front it is that of the set alone
+//   defect            the same vibration, since it does not depend on the other; or it is mirrored, or bends
+//                     as above; in the set in front it is that of the set alone
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ Values mirrored(Values values) {
   return values;
 }
 
-// What follows from the settings where the case is one of the set `set`, or of none.
+// Settings where the case is one of the set `set`, or of a single set.
 std::vector<std::string> settings_of(const Values& values, const std::string& set) {
   std::vector<std::string> settings;
   for (const auto& [path, value] : values) {
@@ -211,7 +211,7 @@ void check_rotation(const Values& values) {
     basic = n == 0 ? one.life_hours : bearing::combined_life(basic, one.life_hours);
     modified = n == 0 ? one.rated_hours.modified : bearing::combined_life(modified, one.rated_hours.modified);
   }
-  // Of all bearings none may fail; bearings side by side are unlike where they tilt.
+  // System life: none of all bearings may fail; bearings side by side differ where they tilt.
   if (!here.seats.empty()) basic = here.seats.front().life_hours;
   for (std::size_t k = 1; k < here.seats.size(); ++k)
     basic = bearing::combined_life(basic, here.seats[k].life_hours);
@@ -238,7 +238,7 @@ void check_oil(const Values& values) {
     expect_equal(number(with, column), number(without, column), column, 1e-12);
   EXPECT_FALSE(without.rating.lives.oil);
   ASSERT_TRUE(with.rating.lives.oil);
-  // Bearings that are alike live together as their own modified lives say.
+  // Equal bearings have the combined life of their own modified lives.
   if (with.planets.empty() && with.seats.empty())
     expect_equal(number(with, "system_L10mh"), bearing::system_life(number(with, "L10mh"), 4), "of four");
   if (!with.seats.empty()) {
@@ -271,7 +271,7 @@ void check_spectrum(Values values) {
   }
 }
 
-// A rim of a stiffer material, and of one four times as stiff: contacts of Palmgren know no modulus.
+// A rim of a stiffer material, and of one four times as stiff: contacts of Palmgren have no modulus.
 void check_rim(const Values& values) {
   double limit = 0.0;  // of a rigid rim, whose teeth and pins have the same modulus
   const auto beyond_rigid = [&](const char* modulus) {
@@ -338,7 +338,7 @@ double level(const Values& values, bool several_sets = false) {
 
 constexpr double kMoved = 1e-3;  // [-]  steps of the motion are those of its tolerance
 
-// What the vibration does not feel leaves it as it was, to the last bit.
+// Inputs without effect on the vibration leave it unchanged, to the last bit.
 void check_defect(Feature other, Values values) {
   Values changed = values;
   if (other == uneven) changed["gearset.dynamics.pin_error.radial"] = "[0 um, 0 um, 0 um, 0 um]";
@@ -442,8 +442,8 @@ TEST(LeastFilm, FollowsTheLargestLoadAlone) {
   EXPECT_NEAR(exponent({{"bearing.radial_clearance", "0 um"}}, 1.1 * kPower) / by_power, 1.0, radii);
 }
 
-// A pin that leans outward tilts its bearings in that plane, one that leans ahead in the other, and the file
-// of the point says so under the names of its variables.
+// A pin inclined outward tilts its bearings in that plane, one inclined ahead in the other, and the file of
+// the point has both under the names of its variables.
 TEST(TiltsOfAFile, HaveTheirDirections) {
   const auto tilts = [](const char* direction) {
     const ResolvedCase in = resolved({{"bearing.laminae", "10"},
@@ -467,8 +467,8 @@ TEST(TiltsOfAFile, HaveTheirDirections) {
   EXPECT_GT(std::abs(ahead.second), 2.0 * std::abs(ahead.first));
 }
 
-// Three planets so that the last and the first stand closest: which gap is the last one depends on where one
-// begins to count.
+// Three planets of which the last and the first are closest: which gap is the last one depends on where the
+// count begins.
 TEST(GapsOfPlanets, TheLastOneCountsAsTheOthers) {
   const auto refusal = [](const char* angles) -> std::string {
     try {

@@ -53,7 +53,7 @@ model: planetary-drivetrain
 input: {power: 150 kW, speed: 18000 rpm}
 )";
 
-// Coarse steps: what is asked is whether a field counts, not how much.
+// Coarse steps: the tests check whether a field has an effect, not how much.
 inline const std::string kShortRun =
     "simulation: {observed_revolutions: 1, most_revolutions: 2, length_error: 2e-6 mm}\n";
 
@@ -200,7 +200,7 @@ contact: {rolling_radius: 6 mm, ellipticity: 7, modulus: 226 GPa}
 points: [[500 N, 5 m/s, 200 rad/s]]
 )";
 
-// Pins off their places: loads at rest then follow from all that gives way under the planets.
+// Pins with position errors: quasi-static loads then depend on the whole compliance under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
   const std::string block = "dynamics: {";
@@ -208,7 +208,7 @@ inline std::string displaced_pins() {
   return kDrivetrain + gears + kBearing + kShortRun;
 }
 
-/// Elements of planets other than caged cylindrical rollers, in place of those.
+/// Elements of planets other than caged cylindrical rollers, instead of those.
 inline std::string planet_bearing(const std::string& elements) {
   std::string bearing = kBearing;
   const std::size_t begin = bearing.find("  type:"), end = bearing.find("  pitch_diameter:");
@@ -253,9 +253,9 @@ inline std::string rollers_case() {
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
       {"bearing_in_a_set", kDrivetrain + kGears + kCarrier + kBearing + kShortRun},
-      // What pins load is seen at rest, and in motion as one system; modes, meshes and a bearing by itself
-      // cannot feel them, gears by themselves do in the case before, and the other rungs in motion know the
-      // same fields and take much longer.
+      // Loads by displaced pins are tested quasi-static, and in motion as one system; modes, meshes and a
+      // single bearing do not depend on them, gears alone are tested in the case before, and the other
+      // fidelities in motion have the same fields and take much longer.
       {"displaced_pins", displaced_pins(), "",
        use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing | use::gears |
            use::fmu_gearset},
@@ -285,7 +285,7 @@ inline const std::vector<Base>& bases() {
   return all;
 }
 
-/// Another value of a field, and what must stand beside it so that it counts.
+/// Another value of a field, and the other inputs that it requires for an effect.
 struct Change {
   std::string value;
   std::vector<std::string> beside{};    // in the case that it is compared with as well
@@ -341,7 +341,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.carrier.axis_tilt", {"6 deg"}},
       {"gearset.carrier.rotor_force", {"[100 N, 0 N, 0 N]"}},
       {"gearset.carrier.rotor_moment", {"[5 N.m, 0 N.m]"}},
-      // Back flanks at rest: a rotor that wedges planets into their meshes.
+      // Back flanks without rotation: a rotor that wedges planets into their meshes.
       {"gearset.dynamics.backlash", {"1 um", {"gearset.carrier.rotor_force=[20000 N, 0 N, 0 N]"}}},
       {"input.member", {"carrier"}},
       {"input.speed_of", {"load"}},
@@ -590,7 +590,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   return all;
 }
 
-/// Waves stand in blocks of three lists.
+/// Waves are stated in blocks of three lists.
 inline Change wave_change(const std::string& path) {
   const std::string block = path.substr(0, path.rfind('.'));
   const std::vector<std::string> beside{block + ".order=[2]", block + ".amplitude=[1 um]"};
@@ -606,7 +606,7 @@ inline Change quantity_change(const std::string& given) {
 }
 
 /// Whether the case refuses any other value of the field: a rim that bends and a tilt that is computed are
-/// for one set whose planets carry alike.
+/// for one set whose planets carry equal loads.
 inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
   const bool rim = field.path == "gearset.planet_rim";
   const bool of_tilt = field.path == "bearing.tilt_state" || field.path == "bearing.axial_places" ||
@@ -620,7 +620,7 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
       (in.has("gearset.dynamics.pin_error.tangential") || in.has("defect.race")))
     return true;
   const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
-  // Planets in pairs stand on no bearings of a carrier, which the base has: PlanetsInPairs asks for them.
+  // Planets in pairs have no carrier with bearings, which the base has: PlanetsInPairs tests them.
   if (field.path.starts_with("gearset.second_planet.")) return true;
   const bool stepped = field.path.starts_with("gearset.stepped_planet.");  // whose bearings find their tilt
   return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
@@ -634,7 +634,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
   const bool rollers = (in.model() & with_rollers) != 0;
   if (field.path == "bearing.complement" && (in.model() & planetary_drivetrain) == 0)
-    return {"full", {"bearing.rollers=21"}};  // at rest their number counts, and no pocket
+    return {"full", {"bearing.rollers=21"}};  // quasi-static bearings have their number, and no pocket
   if (field.path == "bearing.designation")
     return {rollers ? "NU 204" : in.model() == duplex_pair ? "7205 A" : "6204"};
   if (field.path == "bearing.catalogue") {  // a row of the designation's name with other numbers
@@ -653,7 +653,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
             rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
   if (field.path == "operation.shaft_speed" && (in.model() & described::single_scratched) != 0)
     return {"6400 rpm"};
-  if (in.model() == roller_bearing) {  // whose friction at rest has oil and heat of its own
+  if (in.model() == roller_bearing) {  // whose quasi-static friction has oil and heat of its own
     std::vector<std::string> rotating{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
                                       "operation.shaft_speed=1000 rpm"};
     if (field.path == "traction.starvation") return {"replenished", rotating};

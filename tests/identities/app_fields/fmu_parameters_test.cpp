@@ -1,5 +1,4 @@
-// Every parameter that an FMU shows changes what it gives: one that does not is none. Issue 44, item 17, and
-// issue 52, item 13.
+// Every parameter that an FMU shows changes its outputs: one that does not is no parameter.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -34,7 +33,7 @@ std::vector<Machine> machines() {
           {"gears_with_a_driven_ring", false, {"input.member=carrier", "gearset.fixed=sun"}}};
 }
 
-// Far enough to be seen, near enough to be allowed.
+// Far enough for a visible change, near enough to be allowed.
 double other_value(const fmu::ShownField& field) {
   if (field.facts.name == "contact.roughness")
     return 5.0 * field.start;  // it bounds films that are thicker here

@@ -21,7 +21,7 @@ const orbearing::Case& reducer() {
   return read;
 }
 
-// Half the power, the same numbers by text and by SI; mistakes are said with their place.
+// Half the power, the same numbers by text and by SI; mistakes are reported with their location.
 bool case_works() {
   const orbearing::Case half = reducer().with("input.power", "75 kW");
   bool refused = false;
@@ -49,7 +49,7 @@ bool request_works() {
   return answer.code == 0 && answer.result.find("\"life_h\"") != std::string::npos;
 }
 
-// The bearing in its balance: what it is loaded by is what it returns.
+// The bearing in equilibrium: it returns the load that is applied.
 bool participant_works() {
   orbearing::Participant bearing = orbearing::Participant::bearing(reducer());
   bearing.advance(1e-5);

@@ -1,5 +1,4 @@
-// Issue 16, Build 8: bearings by designation, clearance class and cage material; full complement; without
-// rings.
+// Bearings by designation, clearance class and cage material; full complement; without rings.
 #include "app/case/catalogue_case.hpp"
 
 #include <gmock/gmock.h>
@@ -99,7 +98,7 @@ TEST(CatalogueBearing, DesignationGivesBallsAndTheirAngle) {
   EXPECT_NEAR(angular.quantity("bearing.contact_angle"), 0.698131701, 1e-8);
 }
 
-// --- a user's own catalogue (issue 47, item 4)
+// --- a user's own catalogue
 
 const std::string kTable =
     "bearing: {designation: NU 205, clearance_class: CN, catalogue: \"designation, family, bore [mm], "
@@ -129,11 +128,11 @@ TEST(CatalogueBearing, ResolvedCaseOfAUsersRowNeedsNoFile) {
   const std::string written = write_resolved(of(with_table()));
   EXPECT_THAT(written, AllOf(HasSubstr("ACME"), Not(HasSubstr("3205"))));
   EXPECT_EQ(write_resolved(of(written)), written);
-  // Of a row that is not the user's nothing is repeated.
+  // Lines that are not the user's are not repeated.
   EXPECT_THAT(write_resolved(of(with_table(), {"bearing.designation=NU 206"})), Not(HasSubstr("ACME")));
 }
 
-// What a resolved case repeats of a catalogue is no statement of the user's.
+// Values of a catalogue that a resolved case repeats are no statement of the user.
 TEST(CatalogueBearing, RatingsOfAResolvedCaseFollowAnotherDesignation) {
   const std::string written = write_resolved(of(kByDesignation));
   const ResolvedCase other = of(written, {"bearing.designation=NU 206"});
@@ -157,7 +156,7 @@ TEST(CatalogueBearing, WrongRowsAreRefusedWithTheirLine) {
   EXPECT_THAT(refused("designation, family", "name, family"), ElementsAre(HasSubstr("the column 'name'")));
 }
 
-// --- ratings beside a designation (issue 47, item 4)
+// --- ratings stated with a designation
 
 TEST(CatalogueBearing, StatedRatingsReplaceThoseOfTheCatalogueAndAreNamed) {
   const ResolvedCase in =
@@ -188,7 +187,7 @@ TEST(CatalogueBearing, NeedleCagesRunOnPinAndPlanet) {
               Contains(HasSubstr("run on the pin and in the planet")));
 }
 
-// What the resolved case says when it is read again is the same case.
+// A resolved case that is read again is the same case.
 TEST(CatalogueBearing, ResolvedCaseReadAgainIsTheSame) {
   for (const std::string& text :
        {kByDesignation, kBallsByDesignation, planet(kCatalogue), planet(kNeedles + kCage)}) {
@@ -197,7 +196,7 @@ TEST(CatalogueBearing, ResolvedCaseReadAgainIsTheSame) {
   }
 }
 
-// As an oil's grade: what is stated beside it has no effect, and that is said.
+// As with an oil's grade: values stated with it have no effect, which is reported.
 TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
   const ResolvedCase in =
       of(kByDesignation, {"bearing.pitch_diameter=40 mm", "bearing.radial_clearance=12 um"});
@@ -213,7 +212,7 @@ TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf)
 TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}),
               ElementsAre(HasSubstr("'NU 9999' is not in the catalogue")));
-  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU204"}), IsEmpty());  // blanks do not count
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU204"}), IsEmpty());  // blanks are ignored
   for (const char* written : {"nu-204", "NU 204 QX"})
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + written}),
                 ElementsAre(HasSubstr("nearest: NU 204, ")))
@@ -228,7 +227,7 @@ TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
               ElementsAre(HasSubstr("A class is for an unmounted bearing")));
 }
 
-// Issue 44, first use 12 and 13: what would give the missing value is named.
+// Messages on a missing value name the inputs that would give it.
 TEST(CatalogueBearing, WhatIsMissingNamesWhatWouldGiveIt) {
   EXPECT_THAT(mistakes(replaced(planet(kCatalogue), "clearance_class: CN", "clearance_state: operating")),
               Contains(AllOf(HasSubstr("bearing.radial_clearance: missing"),
@@ -237,8 +236,7 @@ TEST(CatalogueBearing, WhatIsMissingNamesWhatWouldGiveIt) {
               Not(Contains(HasSubstr("bearing.clearance_class"))));
 }
 
-// Issue 44, item 11: lines of a scratched 6205 by its inferred inside, 106.94 for 107.36 Hz.
-// ISO 5753: 6205 has 5 to 20 um as CN and 13 to 28 um as C3; the middle is used.
+// Normal clearance by ISO 5753: 6205 has 5 to 20 um as CN and 13 to 28 um as C3; the middle is used.
 TEST(CatalogueBearing, WithoutAClearanceItIsNormalAndSaysSo) {
   const std::string bare = replaced(kBallsByDesignation, ", clearance_class: C3", "");
   const ResolvedCase in = of(bare);
@@ -367,7 +365,7 @@ TEST(CatalogueBearing, WithoutItsOwnRingsIsWarnedOf) {
               Contains(HasSubstr("bearing.rings: none; ratings of NSK NU 204")));
 }
 
-// What a designation means says which word is the right one: no cylindrical bearing is near a tapered one.
+// The meaning of a designation determines the suggested word: no cylindrical bearing is near a tapered one.
 TEST(CatalogueBearing, OtherTypesAreNamed) {
   for (const char* name : {"30305", "33014", "HR30206J"})
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),

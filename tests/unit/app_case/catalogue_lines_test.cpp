@@ -1,5 +1,5 @@
-// The program's catalogue (issue 16, Build 8; issue 47, item 4): what is inferred of its bearings against
-// what makers print, dimensions against the rules of ISO 15, and the designations nearest to an unknown one.
+// The program's catalogue: inferred interiors of its bearings compared with makers' data, dimensions with the
+// rules of ISO 15, and the designations nearest to an unknown one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using bearing::catalogue::Entry;  // not that of a case's tree
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-constexpr double kWithin = 0.01;    // [-]  of printed ratings, as the issue asks
+constexpr double kWithin = 0.01;    // [-]  of printed ratings
 constexpr double kWorst = 0.037;    // [-]  of the few beyond, all of them printed in a second edition as well
 constexpr double kRoundOff = 1e-9;  // [-]  of a root that is bisected
 
@@ -37,7 +37,7 @@ double miss(double found, double published) {
   return found / published - 1.0;
 }
 
-// What is beyond 1 % of C, and within 4 %; C_0 is met by each.
+// Lines whose C is off by more than 1 %, but within 4 %; C_0 is met by each.
 std::vector<std::string> beyond_one_percent(Family family) {
   std::vector<std::string> beyond;
   for (const Entry& entry : built_in_catalogue()) {
@@ -51,7 +51,7 @@ std::vector<std::string> beyond_one_percent(Family family) {
   return beyond;
 }
 
-// The rules never see C of any roller bearing, and C_0 of none but the bearing itself.
+// The rules use C of no roller bearing, and C_0 of none but the bearing itself.
 TEST(CatalogueLines, DynamicRatingsOfRollerBearingsArePredicted) {
   EXPECT_THAT(beyond_one_percent(Family::cylindrical),
               UnorderedElementsAre("NU 216", "NU 2216", "NU 316", "NU 2316", "NU 319", "NU 224", "NU 2332",
@@ -87,14 +87,14 @@ TEST(CatalogueLines, InsideOfNu2205IsAsAMakerStatesIt) {
   EXPECT_DOUBLE_EQ(inside.pitch_diameter, 39e-3);
 }
 
-// Where a line states the outer race as well, its rollers follow.
+// If a line states the outer race as well, its rollers follow.
 TEST(CatalogueLines, OuterRaceDecidesTheDiameterOfTheRollers) {
   Entry entry = line("NU 2205");
   entry.outer_race = 47.5e-3;
   EXPECT_DOUBLE_EQ(inside_of(entry).diameter, 8e-3);
 }
 
-// Balls by f_0 in place of C: the diameter whose C_0 for one ball is f_0 D_b^2 [N, mm], then Z to the next
+// Balls by f_0 instead of C: the diameter whose C_0 for one ball is f_0 D_b^2 [N, mm], then Z to the next
 // whole number.
 int balls_by_static_factor(const Entry& entry) {
   constexpr double mm2 = 1e6;
@@ -126,7 +126,7 @@ TEST(CatalogueLines, NumbersOfBallsAreThoseOfTheStaticFactor) {
   EXPECT_GE(alike, all - 4);
 }
 
-// Balls are made in sizes of 1/32 inch up to 1 inch, of which the inference knows nothing.
+// Balls are made in sizes of 1/32 inch up to 1 inch, which the inference does not use.
 TEST(CatalogueLines, BallsOfSmallAngularContactBearingsAreOfSizesInWhichTheyAreMade) {
   constexpr double size = 25.4e-3 / 32.0;
   for (const char* name : {"7204 A", "7204 B", "7204 C", "7005 A", "7005 C", "7205 A", "7205 B", "7205 C",

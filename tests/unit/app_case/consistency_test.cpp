@@ -48,8 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
         Contradiction{"bearing.roller_length=12 mm", ": bearing.roller_length: "},
         Contradiction{"bearing.per_planet=3", ": bearing.per_planet: "}));
 
-// Issue 44, item 8. Figures of a public model of a 10 MW gearbox, stage 1, whose source prints the ring's shift as
-// -0.1591 by DIN 3960.
+// Figures of a public model of a 10 MW gearbox, stage 1, whose source prints the ring's shift as -0.1591 by
+// DIN 3960.
 const std::string kStage = R"(name: stage
 source: made up
 model: planetary-drivetrain

@@ -23,7 +23,7 @@ constexpr double kSixDigits = 5e-6;
 const std::vector<std::string> kOfBearing{"bearing.cage.pocket_clearance", "bearing.cage.pocket_stiffness",
                                           "bearing.cage.touch_down_stiffness", "support.stiffness",
                                           "bearing.cage.guide_land_diameter"};
-// Issue 47, item 5.
+// Supports of the members of the set.
 const std::vector<std::string> kSupports{"gearset.dynamics.sun.support_stiffness",
                                          "gearset.dynamics.ring.support_stiffness",
                                          "gearset.dynamics.carrier.support_stiffness"};
@@ -34,7 +34,7 @@ std::vector<std::string> all_derived() {
   return all;
 }
 
-// The shipped case without the values that it states in place of these defaults.
+// The shipped case without the values that it states instead of these defaults.
 ResolvedCase left_out(const std::string& file = shipped_path(),
                       const std::vector<std::string>& settings = {}) {
   const std::regex stated(
@@ -84,7 +84,7 @@ TEST(DerivedDefaults, AreTheClosedFormsOfTheParts) {
               kSixDigits);
 }
 
-// Issue 47, item 5: those of the published reducer, a steel set of 111, 237 and 88.5 mm.
+// Supports of the published reducer, a steel set of 111, 237 and 88.5 mm.
 TEST(DerivedDefaults, SupportsAreThoseOfTheReducerAndFollowTheModulus) {
   const ResolvedCase steel = left_out(), soft = steel.with("material.youngs_modulus", "103 GPa");
   const std::vector<double> right{1e8, 1e9, 5e8};
@@ -94,7 +94,7 @@ TEST(DerivedDefaults, SupportsAreThoseOfTheReducerAndFollowTheModulus) {
   }
 }
 
-// Issue 47, item 5: 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the teeth, which helical ones slope.
+// 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the teeth, which are inclined in a helical set.
 TEST(DerivedDefaults, BacklashIsTheLeastThatIsRecommended) {
   const double a = 1.5 * (37 + 22), normal = 2e-3 / 3.0 * (0.06 + 0.0005 * a + 0.03 * 3.0);
   EXPECT_NEAR(left_out().quantity("gearset.dynamics.backlash") / normal, 1.0, kSixDigits);
@@ -108,7 +108,6 @@ TEST(DerivedDefaults, BacklashIsTheLeastThatIsRecommended) {
   EXPECT_EQ(shipped().quantity("gearset.dynamics.backlash"), 0.1e-3);
 }
 
-// Issue 47, item 5.
 TEST(DerivedDefaults, GuideLandHasAPlayAndMayBeNone) {
   const ResolvedCase resolved = left_out();
   const char* land = "bearing.cage.guide_land_diameter";

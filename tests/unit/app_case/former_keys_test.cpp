@@ -1,4 +1,4 @@
-// Issue 13, Build 7: keys have the field's names now, and cases that were written before are still read.
+// Cases that were written with former keys are still read; keys have the terms of the field now.
 #include "app/case/settings.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ std::string with(std::string text, const std::string& present, const std::string
   return text;
 }
 
-// A text that says everything by former names is the same case, its reasons included.
+// A text with former names throughout is the same case, its reasons included.
 TEST(FormerKeys, ACaseThatWasWrittenWithThemIsTheSameCase) {
   const std::string form = "bearing:\n  outer_race: {out_of_roundness: {order: [2], amplitude: [1 um]}}\n";
   const std::string now = with(text_of(shipped_path()), "\nbearing:\n", "\n" + form);
@@ -50,8 +50,8 @@ TEST(FormerKeys, ASettingReplacesWhatTheFileGivesByThePresentName) {
   EXPECT_EQ(shipped({"life.lambda=0.61"}).number("life.reduction_factor"), 0.61);
 }
 
-// Issue 51, Build 6: the deprecation rule. A renamed key is read until the next major version, and each use
-// of it is warned of with the present name.
+// The deprecation rule. A renamed key is read until the next major version, and each use of it is warned of
+// with the present name.
 TEST(FormerKeys, EachLeadsToAKeyOfTheTableAndIsNoneItself) {
   const auto has = [](const std::string& path) {
     return std::ranges::any_of(all_fields(), [&](const Field& field) {

@@ -134,7 +134,7 @@ TEST(Machines, AreReadAgainAsTheyWereWritten) {
   }
 }
 
-// What an analysis takes is its parameter's type: a mesh has no mass.
+// The type of its parameter determines the inputs of an analysis: a mesh has no mass.
 TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
   const MachineAnalysis* mesh = machine_analysis(described::gear_pair, "mesh");
   ASSERT_NE(mesh, nullptr);

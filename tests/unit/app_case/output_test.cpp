@@ -1,4 +1,4 @@
-// What is written from a case: the resolved case, its hash, the table of `check` and the schema.
+// Output of a case: the resolved case, its hash, the table of `check` and the schema.
 #include <gmock/gmock.h>
 
 #include <cstdlib>

@@ -58,7 +58,7 @@ TEST(Settings, ReportMalformedOnesTogether) {
                           StartsWith("--set: bearing.width: ")));
 }
 
-// Issue 52, item 11: bytes that are not UTF-8 went on to the writer of JSON.
+// Bytes that are not UTF-8 must not reach the writer of JSON.
 TEST(Settings, MustBeText) {
   EXPECT_THAT(setting_mistakes({"name=\xff"}), ElementsAre(HasSubstr("--set: name: a byte that is not UTF-8")));
   EXPECT_THAT(setting_mistakes({"name=a\x1b[31m"}), ElementsAre(HasSubstr("--set: name: a control character")));
@@ -79,8 +79,8 @@ TEST(Settings, ReportBadValues) {
 }
 
 TEST(Settings, AreToBlameForWhatTheFileAloneDoesNotHave) {
-  // Keys missing from a replaced block, a ring that no longer fits, a model that does not know the fields.
-  // The file's reasons for values that the option took away are the option's fault as well.
+  // Keys missing from a replaced block, a ring that no longer fits, a model without the fields. The file's
+  // reasons for values that the option removed are attributed to the option as well.
   EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}),
               Each(AnyOf(StartsWith("--set: bearing."), StartsWith("--set: assumed.bearing."))));
   EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}),

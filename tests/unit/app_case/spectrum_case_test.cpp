@@ -1,4 +1,4 @@
-// Load spectra in cases: rows, files of rows, and what is said of wrong ones.
+// Load spectra in cases: rows, files of rows, and messages on wrong ones.
 #include "app/case/spectrum_case.hpp"
 
 #include <gmock/gmock.h>
@@ -55,7 +55,7 @@ TEST(SpectrumCase, HoursNeedNoSum) {
   EXPECT_NEAR(found.bins[1].share, 1000.0 / 1300.0, 1e-15);
 }
 
-// Issue 47, item 2: rows may name the record that they come from.
+// Rows may name the record that they come from.
 TEST(SpectrumCase, RowsMayNameARecord) {
   const LoadSpectrum found = spectrum_of(
       "spectrum=[{power: 1 kW, speed: 60 rpm, share: 0.5, file: \"b: 1.csv\"}, {power: 1 kW, speed: 60 rpm, "
@@ -96,7 +96,7 @@ TEST(SpectrumCase, WrongRowsAreRefused) {
               HasSubstr("a share together with rows with hours"));
 }
 
-// Issue 44, item 17: a power at rest belongs to no torque.
+// A power at zero speed belongs to no torque.
 TEST(SpectrumCase, PowersAtRestAreRefused) {
   const std::string rotating = ", {power: 150 kW, speed: 6000 rpm, share: 0.5}]";
   EXPECT_THAT(setting_mistakes({"spectrum=[{power: 5 kW, speed: 0 rpm, share: 0.5}" + rotating}),
@@ -186,12 +186,12 @@ TEST_F(SpectrumFile, WrongOnesAreReportedByFileLineAndColumn) {
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m\n6000,238\n"),
               AllOf(StartsWith(file + ":2:1: "), HasSubstr("no share or hours")));
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,0.9\n"), HasSubstr("add up to 0.9"));
-  // Issue 44, item 5, and issue 52, item 10.
+  // Decimal commas in a file separated by commas, and a file that is no table.
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,5,0,25\n3000,100,5,0,75\n"),
               AllOf(StartsWith(file + ":2:12: "), HasSubstr("5 values"), HasSubstr("decimal comma")));
   EXPECT_THAT(fault_of("token=hunter2\n6000\n"),
               AllOf(StartsWith(file + ":1:1: "), HasSubstr("names none"), Not(HasSubstr("hunter2"))));
-  // Issue 47, item 2: read where there is no doubt.
+  // Decimal commas are read where they are unambiguous.
   EXPECT_EQ(fault_of("speed_rpm;torque_N_m;share\n6000;238,5;1\n"), "");
   EXPECT_THAT(fault_of("speed_rpm;torque_N_m;share\n6.000;238;1\n"),
               StartsWith(file + ":2:1: spectrum: '6.000', whose mark"));

@@ -104,7 +104,8 @@ TEST(SweepAxes, LimitTheNumberOfPoints) {
       ElementsAre(HasSubstr("132012 operating points")));
 }
 
-// A point takes numbers that were read once: they are those that the reader makes of the texts, to the bit.
+// A point takes numbers that were read once: they equal those that the reader reads from the texts, to the
+// bit.
 TEST(SweepAxes, NumbersOfAPointAreThoseOfItsTexts) {
   const ResolvedCase resolved =
       shipped({"sweep={}", "sweep.input.speed={from: 0.1 krpm, to: 0.7 krpm, step: 0.1 krpm}",

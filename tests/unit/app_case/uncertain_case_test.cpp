@@ -1,4 +1,4 @@
-// Issue 18, Build 4: what a case says of numbers that are not known for sure.
+// Statements of a case on numbers that are not known for sure.
 #include "app/case/uncertain_case.hpp"
 
 #include <gmock/gmock.h>
@@ -133,7 +133,7 @@ TEST(UncertainCase, ReportsMistakesOfItsKeys) {
               ElementsAre(HasSubstr("relative_standard_deviation")));
 }
 
-// Issue 19, Build 1: measurements on single bearings have uncertain inputs as those on drivetrains.
+// Measurements on single bearings have uncertain inputs as those on drivetrains.
 TEST(UncertainCase, MayBeOfAnyModel) {
   EXPECT_THAT(mistakes(bearing_case + "uncertain:\n  load.radial: {normal: {standard_deviation: 5 N}}\n"),
               IsEmpty());
@@ -162,7 +162,6 @@ TEST(UncertainCase, ReportsWhatDoesNotFitTheCase) {
               ElementsAre(HasSubstr("a number that the case does not have")));
 }
 
-// Issue 52, item 11.
 TEST(UncertainCase, ShareOfZeroIsNoDeviation) {
   EXPECT_THAT(
       refused("bearing.radial_clearance", "{normal: {relative_standard_deviation: 0.1}}"),

@@ -60,7 +60,7 @@ TEST(Units, RefuseWrongAndUnknownUnits) {
   expect_fault("20 degC", dimension::mass, "does not measure");
 }
 
-// Issue 44, item 9: by powers of ten a value is the double nearest to what was written, not one beside it.
+// By powers of ten a value is the double nearest to the written number, not a neighbour of it.
 TEST(Units, AreRoundByPowersOfTen) {
   EXPECT_EQ(*read_quantity("80 um", dimension::small_length).value, 8e-5);
   EXPECT_EQ(*read_quantity("37 um", dimension::small_length).value, 3.7e-5);
@@ -70,7 +70,7 @@ TEST(Units, AreRoundByPowersOfTen) {
   EXPECT_EQ(*read_quantity("0.7 kW", dimension::power).value, 700.0);
 }
 
-// Issue 44, item 17: as data sheets write them, where the quantity leaves one meaning.
+// Units as data sheets write them, where the quantity leaves one meaning.
 TEST(Units, TakeThoseOfDataSheets) {
   const double rpm = *read_quantity("20 rpm", dimension::angular_speed).value;
   for (const char* text : {"20 1/min", "20 min-1", "20 min^-1", "20 /min", "20 r/min", "20 min\u207b\u00b9"})
@@ -85,7 +85,7 @@ TEST(Units, TakeThoseOfDataSheets) {
   expect_fault("\u22127.5 deg", dimension::angle, "U+2212");
 }
 
-// Issue 44, item 6: a host's locale with a decimal comma, in both of the libraries' ways.
+// A host's locale with a decimal comma, in both of the libraries' ways.
 class DecimalComma {
  public:
   DecimalComma() : before_(std::locale::global(std::locale(std::locale::classic(), new Comma))) {
@@ -109,7 +109,7 @@ class DecimalComma {
 TEST(Units, AreTheSameUnderADecimalComma) {
   const DecimalComma comma;
   EXPECT_EQ(read_number("74.45").value, 74.45);
-  // Units that no test before has asked for, so that the library reads their definitions now.
+  // Units that no earlier test has read, so that the library reads their definitions now.
   EXPECT_EQ(*read_quantity("2.5 inch", dimension::length).value, 2.5 * 25.4 / 1000.0);
   EXPECT_NEAR(*read_quantity("1.5 lbf", dimension::force).value, 1.5 * 4.4482216152605, 1e-12);
   if (!comma.of_process())

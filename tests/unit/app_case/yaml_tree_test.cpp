@@ -54,7 +54,6 @@ TEST(YamlTree, RefusesWhatCouldHideOrMultiplyInput) {
   expect_fault("a: \xC3(\n", "not UTF-8", 1, 4);
 }
 
-// Issue 44, item 17; issue 52, item 11.
 TEST(YamlTree, RefusesWhatIsNoTextOfUtf8) {
   expect_fault("a: \xed\xb3\xa4\n", "not UTF-8", 1, 4);       // half of a pair of UTF-16
   expect_fault("a: \xc0\xaf\n", "not UTF-8", 1, 4);           // longer than it need be
@@ -65,7 +64,6 @@ TEST(YamlTree, RefusesWhatIsNoTextOfUtf8) {
   EXPECT_EQ(find_member(read_yaml("a: \"two\\nlines \xc3\xa9\"\n"), "a")->value.text, "two\nlines \xc3\xa9");
 }
 
-// Issue 44, first use 03.
 TEST(YamlTree, NamesTabs) {
   expect_fault("a:\n\tb: 1\n  c: 2\n", "a tab in the indentation", 2, 1);
   EXPECT_EQ(read_yaml("a: 1\t# a comment\n").members.size(), 1U);

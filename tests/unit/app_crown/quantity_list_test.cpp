@@ -35,7 +35,7 @@ TEST(QuantityList, TellsEveryMistake) {
                                     HasSubstr("FROM : TO : STEP")));
 }
 
-/// Issue 52, item 13: what was found is said as it was written, in the user's unit.
+/// Messages repeat a value as it was written, in the user's unit.
 TEST(QuantityList, RefusesWhatIsOutOfRangeAsItWasWritten) {
   for (const char* wrong : {"2000 mm", "-3 um", "0 m : 4 m : 2 m"}) {
     std::vector<std::string> mistakes;
@@ -60,8 +60,7 @@ TEST(CrownOptions, GoThroughJsonUnchanged) {
   EXPECT_EQ(options_text({}), "crown --starts 10");
 }
 
-// Issue 44, Build 1: crowns go by life.method where no option says otherwise. C and P are alike for all
-// crowns.
+// Crowns use life.method where no option states another life. C and P are the same for all crowns.
 TEST(CrownOptions, LifeIsThatOfTheCase) {
   using study::crowning::LifeMethod;
   const auto measure = [](const std::string& method, const std::string& option) {

@@ -1,4 +1,4 @@
-// A continued sweep: paths in order, every point from the final state before it, cut and resumed alike.
+// A continued sweep: paths in order, every point from the final state before it, equal when cut and resumed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

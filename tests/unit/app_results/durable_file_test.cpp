@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// While it lives a limit of the process stands at `most`.
+/// While it exists a limit of the process is `most`.
 class Limit {
  public:
   Limit(int what, rlim_t most) : what_(what) {
@@ -35,7 +35,7 @@ class Limit {
   rlimit former_{};
 };
 
-/// While it lives no file grows beyond `bytes`: the disk is full, as seen from this program.
+/// While it exists no file grows beyond `bytes`: to this program the disk is full.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : limit_(RLIMIT_FSIZE, bytes) {
@@ -64,7 +64,7 @@ TEST(DurableFile, FullDiskKeepsTheFormerContent) {
   EXPECT_EQ(fake_sweep::snapshot(folder / "").size(), 1U);
 }
 
-// Issue 52, item 13: what to do follows from the cause; too many open files are no full disk.
+// The remedy follows from the cause; too many open files are no full disk.
 TEST(DurableFile, TooManyOpenFilesAreNoFullDisk) {
   const fake_sweep::TemporaryFolder folder;
   const Limit none(RLIMIT_NOFILE, 0);

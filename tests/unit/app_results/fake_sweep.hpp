@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 inline constexpr std::size_t failing_point = 7;
 
-/// A folder of its own for one test, gone with it.
+/// A folder of its own for one test, removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -1,5 +1,5 @@
-// SIGKILL at moments without order. The sweep that dies is this program run again with the one test
-// SweepProgram, whose folder stands in the environment.
+// SIGKILL at random moments. The sweep that is killed is this program run again with the one test
+// SweepProgram, whose folder is in the environment.
 #include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>

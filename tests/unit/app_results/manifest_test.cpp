@@ -65,7 +65,7 @@ TEST(Manifest, LastLineOfZerosIsTakenForTorn) {
   EXPECT_EQ(parse_manifest(sound + std::string(40, '\0') + "\n", "m").sound_bytes, sound.size());
 }
 
-/// Issue 52, item 3: every changed character of a row is found; the row counts as missing and is named by its line.
+/// Every changed character of a row is found; the row counts as missing and is named by its line.
 TEST(Manifest, AnyChangedCharacterOfARowIsFound) {
   const ManifestHeader header = fake_sweep::fake_header(10);
   const std::string first = header_line(header), row = line_of(header, 1), last = line_of(header, 2);

@@ -142,7 +142,6 @@ TEST(Merge, EveryDamagedFileIsNamedBeforeAnythingIsWritten) {
   EXPECT_FALSE(fs::exists(location / "merged"));
 }
 
-/// Issue 52, item 3.
 TEST(Merge, ChangedRowIsNamedBeforeAnythingIsWritten) {
   const TemporaryFolder location;
   const std::vector<fs::path> shards = {run_shard(location, 1, 2), run_shard(location, 2, 2)};

@@ -80,7 +80,7 @@ TEST(PointFile, HoldsScalarsInSiAndLoadsByLocation) {
   EXPECT_EQ(file.attribute(NC_GLOBAL, "status"), "ok");
 }
 
-// Issue 44, item 16: each variable holds its own number.
+// Each variable holds its own number.
 TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
   using Values = std::vector<double>;
   study::PointResult result = fake_sweep::fake_result(3);

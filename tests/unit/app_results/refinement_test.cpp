@@ -43,8 +43,8 @@ SweepPoint point_at(double rpm) {
   return {"added", rpm / rpm_of_rad_s, {}};
 }
 
-// Each round adds three points above the best so far, nearer to it than the last: any change of the rows that
-// it sees changes what it asks for.
+// Each round adds three points above the best so far, nearer to it than the last: any change of its rows
+// changes the requested points.
 std::vector<SweepPoint> next_round(const TableHead& head, const std::vector<ResultRow>& rows) {
   const std::size_t round = (rows.size() - grid_points) / 3;
   if (round == rounds) return {};

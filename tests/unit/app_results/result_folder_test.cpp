@@ -1,4 +1,4 @@
-// Who may write into a folder: nothing may be touched where the answer is no.
+// Permission to write into a folder: nothing may be touched where it is refused.
 #include "app/results/result_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -168,7 +168,7 @@ TEST(ResultFolder, DamagedPointsAreMissingAndReported) {
   }
 }
 
-/// Issue 52, item 3: a row that was changed since is computed anew, which is said, and is not met again.
+/// A row that was changed since is computed anew, with a message, and is not found again.
 TEST(ResultFolder, ChangedRowIsMissingReportedAndTakenAway) {
   const TemporaryFolder location;
   const fs::path path = begun(location);
@@ -208,7 +208,7 @@ TEST(ResultFolder, ChangedFileOfAResultIsReported) {
   EXPECT_THAT(folder.damaged().front(), HasSubstr("crown.json: differs"));
 }
 
-/// Issue 44, item 17: nothing outside of the folder is written to through a link in it.
+/// Nothing outside of the folder is written to through a link in it.
 TEST(ResultFolder, LinksInTheFolderAreRefused) {
   for (const char* name : {"points", "manifest.jsonl"}) {
     const TemporaryFolder location;

@@ -219,7 +219,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
       {.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0, .rated_hours = {114.0, 117.0, 116.0, 115.0}},
       {.load = 50.0, .life_hours = 71.0, .rated_hours = {118.0, 113.0, 119.0, 120.0}}};
   const TableHead head = table_head({{"axis", "1", ""}});
-  // Issue 16, Build 8: what a cage alone tells, and what rollers without one alone tell, is absent else.
+  // Values that only a cage has, or only rollers without one, are absent otherwise.
   for (const bool caged : {true, false}) {
     result.caged = caged;
     const ResultRow row = result_row(result, {17.0});
@@ -249,7 +249,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   }
 }
 
-// Issue 44, Build 1: the life that peaks go by is one of the columns.
+// The governing life, which determines the peak, is one of the columns.
 TEST(ResultRow, TheLifeToGoByIsNamedByTheHead) {
   study::PointResult result = at_6000_rpm();
   result.rating.hours = {94.0, 95.0, 96.0, 97.0};

@@ -51,10 +51,10 @@ TEST(SpectrumLife, IsMinersSumByHand) {
   EXPECT_NEAR(found.bins[0].damage_share, 40.0 / 63.0, kRoundOff);
   EXPECT_NEAR(found.bins[1].damage_share, 20.0 / 63.0, kRoundOff);
   EXPECT_NEAR(found.bins[2].damage_share, 3.0 / 63.0, kRoundOff);
-  // Of revolutions: shares 20 : 100 : 90 of 210; damage 20/10 + 100/60 + 90/90 over 210 in 1/Mrev.
+  // In revolutions: shares 20 : 100 : 90 of 210; damage 20/10 + 100/60 + 90/90 over 210 in 1/Mrev.
   EXPECT_NEAR(life_of(found, "inner_life_Mrev"), 210.0 / (2.0 + 5.0 / 3.0 + 1.0), kRoundOff * 100.0);
   EXPECT_NEAR(life_of(found, "outer_life_Mrev"), 3.0 * life_of(found, "inner_life_Mrev"), 1e-10);
-  EXPECT_TRUE(std::isnan(life_of(found, "L10mh")));  // nothing is said of the oil
+  EXPECT_TRUE(std::isnan(life_of(found, "L10mh")));  // no oil is stated
 }
 
 TEST(SpectrumLife, TimeAtRestUsesUpNothing) {
@@ -81,7 +81,7 @@ TEST(SpectrumLife, WithoutLoadIsInfiniteAndOfABinThatFailedNotKnown) {
   EXPECT_EQ(failed.failed, 1U);
 }
 
-// Issue 47, item 2: by hand, from P and C of the rows.
+// By hand, from P and C of the rows.
 TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   ManifestHeader header = fake_sweep::fake_header(0);
   header.spectrum = {
@@ -117,8 +117,9 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   EXPECT_TRUE(std::isnan(sums_of(results().bins).skid_risk_share));
 }
 
-// One planet carries more in the first bin, all alike in the second: its bearing is the worst, and damage is
-// its damage. Of two sets the one with that bearing limits, though its mean life is the longer one.
+// One planet carries more in the first bin, all carry equal loads in the second: its bearing is the worst,
+// and damage is its damage. Of two sets the one with that bearing limits, though its mean life is the longer
+// one.
 TEST(SpectrumLife, IsJudgedByTheWorstBearing) {
   ManifestHeader header = fake_sweep::fake_header(0);
   header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {3e4, 100.0, 0.5}}, .hours = 100.0, .lines = 1};

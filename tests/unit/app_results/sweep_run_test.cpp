@@ -103,7 +103,7 @@ TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
   EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
-// Issue 18, Build 1: a point that a wish to stop breaks off is no failed point, and no later one is begun.
+// A point that a stop request interrupts is no failed point, and no later one is begun.
 TEST(Sweep, PointThatIsBrokenOffIsNotKept) {
   const TemporaryFolder location;
   const std::string table = fake_sweep::fake_table(location / "reference", points);

@@ -165,12 +165,12 @@ TEST(Progress, TellsDoneLeftAndTimeToGo) {
   EXPECT_EQ(progress_text(30, 10, 100, 40.0), "30 of 100 points done, 70 left, 2:20 to go");
   EXPECT_EQ(progress_text(10, 0, 1010, 40.0), "10 of 1010 points done, 1000 left, 1:06:40 to go");
   EXPECT_EQ(progress_text(10, 10, 100, 40.0), "10 of 100 points done, 90 left");
-  // Of unlike points by their work: a quarter of it took 40 s.
+  // Unequal points count by their work: a quarter of it took 40 s.
   EXPECT_EQ(progress_text(30, 10, 100, 40.0, 0.25), "30 of 100 points done, 70 left, 2:00 to go");
   EXPECT_EQ(progress_text(100, 10, 100, 40.0), "100 of 100 points done, 0 left");
 }
 
-// Issue 18, Build 1: one system was silent for half a minute. Issue 50, Build 2: how far and how long.
+// Progress of one system in motion: simulated time, share and time left.
 TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
   const bearing::motion::Snapshot bearing;
   system::MotionProgress now{.time = 0.12, .most = 1.2, .expected = 0.48, .bearing = bearing};

@@ -47,7 +47,7 @@ TEST(WorstBearing, TheLargestPressureAndLoadShareAreTheWorst) {
   const std::vector<std::string> sets{"one", "two"};
   EXPECT_EQ(worst("contact_pressure_max_MPa", sets, columns).set, "two");
   EXPECT_EQ(worst("S0", sets, columns).value, 2.0);
-  EXPECT_EQ(worst("largest_load_share", sets, columns).value, 1.2);  // planets of the other carry alike
+  EXPECT_EQ(worst("largest_load_share", sets, columns).value, 1.2);  // planets of the other carry equal loads
   EXPECT_TRUE(std::isnan(worst("largest_load_share", sets, {}).value));
 }
 

@@ -1,4 +1,4 @@
-// Issue 44, item 16: each key and variable of a ball bearing in time holds its own number, in its own unit.
+// Each key and variable of a ball bearing in time holds its own number, in its own unit.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 namespace orbearing::app::ball_output_test {
 namespace {
 
-// All numbers differ, so that none can stand for another.
+// All numbers differ, so that none can be mistaken for another.
 BallStudy distinct_study() {
   BallStudy study;
   study.life_hours = 1.0;

@@ -110,7 +110,7 @@ TEST(EvaluateFrom, StaysInTheSteadyStateItStartsFrom) {
   // Two windows of one state differ by no more than the criterion that called them steady.
   EXPECT_NEAR(second.outer.load_rms / first.outer.load_rms, 1.0, drivetrain.steady_state.load_drift);
   EXPECT_EQ(second.planet_load, first.planet_load);
-  // It goes on where the first ended: rollers have turned on, as a start of its own would not have them.
+  // It continues where the first ended: rollers have rotated, unlike at a start of its own.
   EXPECT_GT(std::abs(second.dynamic->series.orbit_angle[0]), std::abs(first.dynamic->series.orbit_angle[0]));
 }
 

@@ -1,5 +1,5 @@
-// Issue 18, Build 5, and issue 45, Build 6: derivatives of a result that are known in closed form, what has
-// none, and the error that is stated of the others.
+// Derivatives of a result that are known in closed form, inputs without a derivative, and the stated error of
+// the others.
 #include "app/study/derivatives.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-// Of an elasticity: what equilibria and the step leave.
+// Tolerance of an elasticity: errors of equilibria and of the step.
 constexpr double kAgreement = 1e-8;
 
 ResolvedCase shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
@@ -55,8 +55,8 @@ TEST(Derivatives, WithoutClearanceAreThePowersOfTheLifeEquation) {
   EXPECT_THAT(balls.without_effect, Contains("material.youngs_modulus"));
 }
 
-// Loads of rollers follow no capacity, and inertia goes with the square of the speed while gear forces go
-// with P / n: L(P, n) in revolutions over n is homogeneous where P ~ n^3.
+// Loads of rollers do not depend on capacities, and inertia is proportional to the square of the speed while
+// gear forces are proportional to P / n: L(P, n) in revolutions over n is homogeneous where P ~ n^3.
 TEST(Derivatives, OfAReducerWithoutClearanceScale) {
   const Derivatives found = by_all(shipped("reducer_150kW"));
   EXPECT_EQ(found.quantity, "life_h");

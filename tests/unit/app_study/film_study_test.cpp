@@ -1,4 +1,4 @@
-// Films of a contact by itself, and of the balls of a bearing in balance.
+// Films of a single contact, and of the balls of a bearing in equilibrium.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

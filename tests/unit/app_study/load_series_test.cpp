@@ -1,5 +1,4 @@
-// Records over time made into spectra: sums that must be kept, constant loads, rest, and what is said of
-// wrong records.
+// Records over time made into spectra: conserved sums, constant loads, rest, and messages on wrong records.
 #include "app/study/load_series.hpp"
 
 #include <gmock/gmock.h>
@@ -73,7 +72,8 @@ TEST(LoadSeries, BinsKeepTimeTurnsAndDamageHoweverWideTheyAre) {
   EXPECT_GT(binned(series, {8, 8}).spectrum.bins.size(), 20U);
 }
 
-// Life over that of the record for a bearing whose life goes by torque^-p: above 1 it comes out too long.
+// Life divided by that of the record for a bearing whose life is proportional to torque^-p: above 1 it is too
+// long.
 double life_over_that_of_record(const LoadSeries& series, const BinCounts& counts, double kept, double p) {
   double record = 0.0;
   const double duration = series.time.back() - series.time.front();
@@ -86,7 +86,7 @@ double life_over_that_of_record(const LoadSeries& series, const BinCounts& count
   return record / bins;
 }
 
-// Issue 44, item 7: bins by 10/3 made lives by Lundberg and Palmgren too long, 12 % in one bin.
+// Bins by 10/3 made lives by Lundberg and Palmgren too long, 12 % in one bin.
 TEST(LoadSeries, FewBinsNeverLengthenALife) {
   const LoadSeries series = wavy(500);
   for (const BinCounts counts : {BinCounts{1, 1}, BinCounts{2, 3}, BinCounts{8, 8}, BinCounts{64, 8}}) {
@@ -111,7 +111,7 @@ TEST(LoadSeries, WhatAModifiedLifeCanGainByWideBinsIsTheDamageByItsSteepestPower
   EXPECT_NEAR(binned(two, {1, 1}, kSteepestExponent).excess.back(), 0.0, 1e-12);
 }
 
-// Issue 47, item 2: a table of design load cases.
+// A table of design load cases.
 TEST(LoadSeries, OfSeveralCountByTheirShareAndNotByTheirLength) {
   const LoadSeries brief{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
   const LoadSeries lengthy{{0.0, 1000.0, 2000.0}, {3.0, 3.0, 3.0}, {100.0, 0.0, 0.0}};
@@ -135,7 +135,7 @@ TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
   LoadSeries series = wavy(50);
   for (double& torque : series.torque) torque = 240.0 * (1.0 + 1e-15);
   for (double& speed : series.speed) speed = 600.0;
-  series.torque[3] = 240.0;  // round-off of whoever wrote it
+  series.torque[3] = 240.0;  // round-off of the writing program
   const BinnedSeries found = binned(series, {8, 8});
   ASSERT_EQ(found.spectrum.bins.size(), 1U);
   EXPECT_NEAR(found.spectrum.bins[0].power, 240.0 * 600.0, kRoundOff * 240.0 * 600.0);
@@ -214,7 +214,7 @@ std::string fault_of(const std::filesystem::path& file) {
   return "";
 }
 
-// Issue 44, item 5: a decimal comma splits a number in two, and the row is longer than its head.
+// A decimal comma splits a number in two, and the row is longer than its head.
 TEST(LoadSeries, RowsMustFitTheirHead) {
   const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
@@ -231,7 +231,7 @@ TEST(LoadSeries, RowsMustFitTheirHead) {
   EXPECT_EQ(fault("\"0,0\",\"1500,5\",\"1591,25\"\n\"1,0\",\"1500,5\",\"1591,25\"\n"), "");
 }
 
-// Issue 52, item 10: what a file that is no table holds is not shown.
+// The content of a file that is no table is not shown.
 TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
   const TemporaryFolder position;
   fake_sweep::write(position / "secret", "token=hunter2\nmore\n");
@@ -247,7 +247,7 @@ TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
               HasSubstr("c.csv:3:7: found UTF-8 in a file whose line 1 holds bytes that are not"));
 }
 
-// Issue 44, item 17: a power at rest belongs to no torque.
+// A power at zero speed belongs to no torque.
 TEST(LoadSeries, PowersAtRestAreRefused) {
   const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
@@ -289,7 +289,7 @@ class Packed {
   int time_ = 0;
 };
 
-// Issue 52, item 2: packed values are unpacked [CF], and those that the file calls missing are refused.
+// Packed values are unpacked [CF], and values that the file marks as missing are refused.
 TEST(LoadSeries, NetcdfIsUnpackedAndNothingMissingIsTaken) {
   const TemporaryFolder position;
   {

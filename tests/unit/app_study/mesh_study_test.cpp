@@ -59,7 +59,7 @@ pair:
   EXPECT_EQ(mean(short_case), mean(pair_case()));
 }
 
-// Issue 18, Build 4: meshes are kept for points that share them, and for no others.
+// Meshes are kept for points that share them, and for no others.
 TEST(MeshStudy, KeptMeshesAreThoseOfTheirOwnCase) {
   const auto sun_mean = [](const std::vector<std::string>& settings) {
     return planetary_meshes_of(shipped(settings)).sun.curve.mean();
@@ -92,7 +92,7 @@ TEST(MeshStudy, StandardStiffnessOfAPairDoesNotDependOnTheOrderOfItsGears) {
   EXPECT_EQ(single("[30, 20]"), single("[20, 30]"));
 }
 
-// The shift of the ring, positive outward in a case, counts as -x_2 in the standard's formula.
+// The shift of the ring, positive outward in a case, is -x_2 in the standard's formula.
 TEST(MeshStudy, StandardStiffnessOfARingMeshFeelsTheRingsShift) {
   const MeshStudy study = mesh_study(shipped());
   constexpr double ring_shift = 0.4146;
@@ -117,8 +117,8 @@ TEST(MeshStudy, OfASetHasAMeshForEachPlanetAndWheel) {
   EXPECT_THAT(study.warnings, Contains(HasSubstr("Sainsot")));
 }
 
-// With the sun held and the ring driving, the sun turns backwards seen from the carrier: phases run the other
-// way.
+// With the sun held and the ring driving, the sun rotates backwards relative to the carrier: phases run the
+// other way.
 TEST(MeshStudy, TurnsPhasesWithTheSun) {
   const MeshStudy study = mesh_study(shipped({"gearset.fixed=sun", "input.member=ring"}));
   EXPECT_NEAR(study.meshes[1].phase, 0.75, 1e-12);

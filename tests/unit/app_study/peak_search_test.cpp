@@ -76,7 +76,7 @@ double longest_life_of_fine_grid(const Life& life, double from = 1000.0, double 
 
 void expect_bracketed(const std::vector<LivedSpeed>& points, bool in_motion) {
   const std::size_t best = best_position(points);
-  // Speeds are asked for in whole rpm: half of an odd gap is one longer.
+  // Speeds are requested in whole rpm: half of an odd gap is one longer.
   const double widest = peak_resolution(points[best].rpm, in_motion) + 1.0;
   if (best > 0) {
     EXPECT_LE(points[best].rpm - points[best - 1].rpm, widest);
@@ -121,8 +121,8 @@ TEST(PeakSearch, LooksOnBothSidesOfADip) {
     }
 }
 
-// Issue 44, item 16. Within a gap of share 0.087 life may rise by a factor 1.304: from 80 h beyond the best, 100 h, from
-// 50 h not. The higher end of a gap decides, on either side of the best.
+// Within a gap of share 0.087 life may rise by a factor 1.304: from 80 h beyond the best, 100 h, from 50 h
+// not. The higher end of a gap decides, on either side of the best.
 TEST(PeakSearch, LooksWhereTheHigherEndOfAGapCouldReachTheBest) {
   const PeakSearch search{.in_motion = true};
   EXPECT_EQ(next_speeds({{1000.0, 100.0}, {1100.0, 80.0}, {1200.0, 50.0}, {1300.0, 50.0}}, search),

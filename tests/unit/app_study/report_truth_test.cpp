@@ -1,5 +1,5 @@
-// What a report may say: resonances that were computed, published numbers of the same case, what a sweep
-// lacks.
+// Contents of a report: resonances that were computed, published numbers of the same case, missing points of
+// a sweep.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,7 @@ ResolvedCase reducer(const std::vector<std::string>& settings = {}) {
   return read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings);
 }
 
-/// Issue 52, item 8: at the speed of a resonance a harmonic of the mesh frequency is a natural frequency
-/// there.
+/// At the speed of a resonance a harmonic of the mesh frequency is a natural frequency there.
 TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
   const ResolvedCase resolved = reducer().without_sweep();
   const std::vector<Resonance> found = resonances(resolved, 4000.0, 9000.0);
@@ -41,7 +40,7 @@ TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
     for (const diagnosis::NamedFrequency& mode : there.modes)
       if (mode.name == resonance.mode)
         nearest = std::min(nearest, std::abs(mode.frequency - resonance.frequency) / resonance.frequency);
-    constexpr double solved = 1e-8;  // of the search, and of the balance behind the stiffness
+    constexpr double solved = 1e-8;  // of the search, and of the equilibrium of the stiffness
     EXPECT_LT(nearest, solved) << resonance.mode << " at " << resonance.speed * kRpm << " rpm";
     EXPECT_NEAR(resonance.harmonic * there.mesh_frequency / resonance.frequency, 1.0, solved);
   }
@@ -90,8 +89,8 @@ TEST(GearReport, FlanksAreThoseOfTheTeeth) {
   expect_flank_of(geometry.ring, pairs[1]["gears"][1]);
 }
 
-/// Issue 52, item 1: what differs from the published case is named, as it is written; points that are
-/// computed are not inputs, and another unit is not another value.
+/// Differences from the published case are named, as they are written; points that are computed are not
+/// inputs, and another unit is not another value.
 TEST(PublishedComparison, NamesChangedInputs) {
   const auto changed = [](const std::vector<std::string>& settings) {
     return changed_inputs(reducer(settings), reducer());
@@ -127,7 +126,6 @@ Manifest manifest_of(const ResolvedCase& resolved, const std::vector<std::size_t
   return manifest;
 }
 
-/// Issue 52, item 4.
 TEST(MissingPoints, AreNamed) {
   const ResolvedCase resolved = reducer({"sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"});
   Manifest whole = manifest_of(resolved, {0, 1, 2});
@@ -145,7 +143,7 @@ TEST(MissingPoints, AreNamed) {
   EXPECT_EQ(missing_json(missing, part)["found"], 2);
 }
 
-/// Issue 52, item 11: an unknown fidelity is told as such, and not as "map::at".
+/// An unknown fidelity is reported as such, and not as "map::at".
 TEST(Fidelity, AnUnknownNameIsRefused) {
   EXPECT_REFUSED(BadInput, "fidelity", fidelity_of("crown"));
 }

@@ -1,4 +1,4 @@
-// Issue 45, Builds 9 and 10: the public interface, and the one function that takes a request and gives what --json prints.
+// The public interface, and the one function that takes a request and returns the output of --json.
 #include "orbearing/request.hpp"
 
 #include <gmock/gmock.h>
@@ -67,7 +67,6 @@ TEST(Request, RefusesWhatNoCommandTakes) {
   EXPECT_THAT(refusal({.command = "run", .case_text = "name: x\nmodel: ball"}), HasSubstr("case.yaml:2:8: model"));
 }
 
-/// Issue 45, Build 9.
 TEST(PublicInterface, CaseAndPoints) {
   const Case reducer = Case::read(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml");
   EXPECT_EQ(reducer.with("input.power", "75 kW").number("input.power"), 75e3);
@@ -89,7 +88,7 @@ TEST(PublicInterface, CaseAndPoints) {
   EXPECT_THAT(points.status.back(), HasSubstr("input.power"));
 }
 
-// Advanced in one step or in two, a bearing arrives at one state; a state that is restored goes on alike.
+// Advanced in one step or in two, a bearing arrives at one state; a state that is restored continues equally.
 TEST(PublicInterface, Participants) {
   const Case reducer = Case::read(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml");
   Participant bearing = Participant::bearing(reducer);
@@ -107,7 +106,7 @@ TEST(PublicInterface, Participants) {
   EXPECT_EQ(Participant::gearset(reducer).time(), 0.0);
 }
 
-// A caller who wants no more ends the computation, and the next request runs as ever.
+// A caller can end the computation by its progress function, and the next request runs as usual.
 TEST(Request, ProgressStopsIt) {
   Request sweep{.command = "sweep", .case_file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", .options = R"({"grid_only": true, "jobs": 1})"};
   std::size_t most = 0;
@@ -122,7 +121,7 @@ TEST(Request, ProgressStopsIt) {
   EXPECT_EQ(nlohmann::json::parse(answer(sweep).result).at("points").size(), 12U);
 }
 
-// Issue 50, Build 2: a caller sees how far a motion is.
+// A caller receives the progress of a motion.
 TEST(Request, TellsHowFarAMotionIs) {
   Request run{.command = "run",
               .case_file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml",

@@ -119,7 +119,7 @@ const Json& common() {
   return all;
 }
 
-// What the command prints, as its record describes it. Points of sweeps and signals have columns besides that
+// Output of the command, as its record describes it. Points of sweeps and signals have further columns that
 // are keys of the case or of its sets.
 Json schema_of_look(const Look& look) {
   std::vector<std::string> words{look.name.substr(0, look.name.find(' ')),

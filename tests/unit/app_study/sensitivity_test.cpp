@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr double kRevolutions = 30.0 / 3.14159265358979323846;  // rpm of 1 rad/s
 
-// A stand-in for the motion: life falls away from 2000 rpm, and grows with the pin's stiffness.
+// A substitute for the motion: life decreases from 2000 rpm, and grows with the pin's stiffness.
 study::PointResult made_up(const std::vector<study::NamedSet>& sets, study::Fidelity fidelity) {
   EXPECT_EQ(fidelity, study::Fidelity::monolithic);
   const study::PlanetaryDrivetrain& drivetrain = sets.front().drivetrain;

@@ -57,7 +57,8 @@ TEST(StiffnessStudy, APointWithoutBalanceIsNull) {
   }
 }
 
-// A worksheet begins as readers tell BIFF 4 by, and ends; a single point is in five rows, rising in speed.
+// A worksheet begins with the mark by which readers recognise BIFF 4, and ends; a single point is in five
+// rows, rising in speed.
 TEST(StiffnessStudy, TableForRoss) {
   const StiffnessStudy study = stiffness_study(shipped("jones_218"));
   const std::string sheet = ross_table(study, 0);

@@ -1,5 +1,4 @@
-// Which rows a sweep warns of: beyond each limit, and none at it. Issue 44, Build 4 (b) and item 16; words
-// and numbers in tests/messages.txt.
+// Rows that a sweep warns of: beyond each limit, and none at it; words and numbers in tests/messages.txt.
 #include "app/study/sweep_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,7 @@
 namespace orbearing::app::sweep_warnings_test {
 namespace {
 
-// Rows at 1000, 2000, ... rpm whose one column holds `values`, and what stands in other columns beside it.
+// Rows at 1000, 2000, ... rpm whose one column holds `values`, and values of other columns in `beside`.
 SweepOutcome outcome_of(const std::string& name, const std::vector<double>& values,
                         const std::map<std::string, double>& beside = {}) {
   SweepOutcome outcome;

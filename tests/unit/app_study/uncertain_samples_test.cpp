@@ -1,4 +1,4 @@
-// Issue 19, Build 1: samples of uncertain inputs against the quantiles and moments of their distributions.
+// Samples of uncertain inputs against the quantiles and moments of their distributions.
 #include "app/study/validation_table.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ UncertainInput input(const std::string& distribution, double mean, double deviat
   return one;
 }
 
-// Of the input sampled alone: (mean, standard deviation).
+// Moments of the input sampled alone: (mean, standard deviation).
 std::pair<double, double> moments(const UncertainInput& one) {
   double sum = 0.0, squares = 0.0;
   for (const std::vector<double>& sample : uncertain_samples({{one}, {{1.0}}}, kSamples, 1)) {

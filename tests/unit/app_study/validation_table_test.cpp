@@ -54,8 +54,8 @@ TEST(ValidationCount, CountsARowGivenTwiceOnce) {
   EXPECT_EQ(counted({twice, made_up()}).published, 2);
 }
 
-// Issue 19, Build 1: a value counts once over all cases, by kind of evidence; another number of the same
-// table and the same number under other settings are values of their own.
+// A value counts once over all cases, by kind of evidence; another number of the same table and the same
+// number under other settings are values of their own.
 TEST(ValidationCount, CountsAValueOnceOverAllCasesByItsKind) {
   ValidationTable other{.case_name = "other case",
                         .rows = {judged(value("run:/a", 1.0), 1.0),
@@ -85,8 +85,8 @@ TEST(ValidationCount, LeavesOutWhatHasNoPublishedNumber) {
   EXPECT_EQ(counted({table}).published, 1);
 }
 
-// Issue 49, Build 6: lines that follow from one formula are one value a bearing and kind of evidence, that of
-// the median deviation; other quantities of the case count as before.
+// Lines that follow from one formula are one value for each bearing and kind of evidence, that of the median
+// deviation; other quantities of the case count as before.
 TEST(ValidationCount, CountsLinesOfPassingElementsOnceABearing) {
   const auto line = [](double published, double ours, EvidenceKind kind) {
     PublishedValue row = value("run:/defect_Hz", published, kind);
@@ -117,7 +117,7 @@ TEST(ValidationText, ListsOtherReadingsApart) {
               HasSubstr("2 distinct published values from 1 sources (1 of them trends, 0 that"));
 }
 
-// expected.yaml beside nothing, of one row with these lines in place of or beside the usual ones.
+// expected.yaml without a case beside it, of one row with these lines instead of or besides the usual ones.
 class ExpectedYaml : public testing::Test {
  protected:
   ExpectedFile read(const std::string& lines) {
@@ -139,7 +139,7 @@ class ExpectedYaml : public testing::Test {
       "    of: slip\n    quantity: run:/a/0\n    meaning: m\n    value: 2\n    tolerance: 0.1\n";
 };
 
-// Issue 52, item 6: a number that is none reproduces nothing, and one of two values is not dropped.
+// A number that is none reproduces nothing, and one of two values is not dropped.
 TEST_F(ExpectedYaml, RefusesNumbersThatAreNoneAndKeysThatStandTwice) {
   const std::string kind = "    kind: program\n    of: slip\n    quantity: run:/a/0\n    meaning: m\n";
   EXPECT_EQ(message(kind + "    value: 2\n    tolerance: 0.1\n"), "");
@@ -226,8 +226,7 @@ TEST(ValidationTable, MissesWhatCannotBeComputed) {
   EXPECT_THAT(row.published.why, HasSubstr("no balance"));
 }
 
-// Issue 19, Build 1: the quantity is the uncertain number itself, so the band is that of its own
-// distribution.
+// The quantity is the uncertain number itself, so the band is that of its own distribution.
 TEST(ValidationTable, HasTheBandOfItsUncertainInputs) {
   const ValidationOptions options{
       .result_of =

@@ -1,4 +1,4 @@
-// Issue 14, Build 2 and 4: churning of oil that goes round with the cage, by its balance of angular momentum.
+// Churning of oil that rotates with the cage, by its balance of angular momentum.
 #include "bearing/motion/balls/mixture.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Mixture, AngularMomentumIsBalanced) {
   EXPECT_LT(speed, kShaft);
 }
 
-// Limits: nothing holds it back, so it goes with the cage and nothing is churned.
+// Limits: nothing holds it back, so it rotates with the cage and nothing is churned.
 TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   MixtureNumbers m = jet();
   m.width = m.flow = 0.0;
@@ -60,7 +60,7 @@ TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   EXPECT_LT(drag.cage_churning, 1e-9 * 4e-9);
 }
 
-// What flows through has to be brought to the cage's speed: m' r^2 w, where balls hardly slip in the mixture.
+// The flow must be accelerated to the cage's speed: m' r^2 w, where balls hardly slip in the mixture.
 TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   MixtureNumbers m = jet();
   m.width = 0.0;
@@ -71,8 +71,8 @@ TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   EXPECT_NEAR(speed, cage, 1e-3 * cage);
 }
 
-// A standing wall without bound, about a shaft too thin to stir, or a flow without bound, keeps it at rest:
-// the upper bound of drag.
+// A stationary wall without bound, about a shaft too thin to stir, or a flow without bound, stops it: the
+// upper bound of drag.
 TEST(Mixture, BeforeEndlessWallsOrInEndlessFlowItRests) {
   MixtureNumbers walls = jet(), flow = jet();
   walls.width = 1e9;
@@ -123,8 +123,8 @@ TEST(Mixture, NeverGivesPower) {
   }
 }
 
-// In motion: the heat is what balls, cage and the turning ring pay, and the mixture at rest is the bound of
-// the first two.
+// In motion: the heat is the power of balls, cage and the rotating ring, and the stationary mixture is the
+// bound of the first two.
 TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   RandomBalls random(5);
   for (int draw = 0; draw < 40; ++draw) {
@@ -152,9 +152,9 @@ TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   }
 }
 
-// Issue 19, Build 6. Slow turning in a standing cylinder a gap t = s R away is Couette's flow, whose torque 4
-// pi mu w b R^2 (R + t)^2 / (t (2 R + t)) makes 8 (1 + s)^2 / (2 + s) of friction times Reynolds number. The
-// fit of the measurements, ~ s^0.3, cuts it at s = 0.066.
+// Slow rotation in a stationary cylinder a gap t = s R away is Couette's flow, whose torque 4 pi mu w b R^2
+// (R + t)^2 / (t (2 R + t)) makes 8 (1 + s)^2 / (2 + s) of friction times Reynolds number. The fit of the
+// measurements, ~ s^0.3, cuts it at s = 0.066.
 TEST(CylinderFriction, IsCouettesWhereTheFlowIsLaminar) {
   constexpr double kFit = 0.09;  // of the fit between these gaps, largest at s = 0.1
   for (const double s : {0.05, 0.066, 0.08, 0.1}) {

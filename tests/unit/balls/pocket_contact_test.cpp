@@ -1,4 +1,4 @@
-// Issue 14: kinematics of a ball in its pocket, Eqs. (14) to (18) of [Chen2026], and forces on both bodies.
+// Kinematics of a ball in its pocket, Eqs. (14) to (18) of [Chen2026], and forces on both bodies.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -82,7 +82,7 @@ TEST(PocketContact, FilmIsTheIntegralOfItsPressure) {
   const RigidPointFilm film = RigidPointFilm::between(eta, rx, ry, rx, rx, 1e-9);
   const double c = 6.0 * eta * closing / (1.0 / rx + 1.0 / ry);
   const double ax = 12.0 * eta * ux / (3.0 + 2.0 * rx / ry), ay = 12.0 * eta * uy / (3.0 + 2.0 * ry / rx);
-  // Polar, with the radius drawn in by its tangent so that the whole plane is seen.
+  // Polar, with the radius mapped by its tangent so that the whole plane is included.
   double sum = 0.0;
   constexpr int n = 1000;
   for (int i = 0; i < n; ++i)
@@ -106,7 +106,7 @@ TEST(PocketContact, FilmResistsSqueezeInTheMiddleAndLiftsTheTurningBallOffTheNea
   EXPECT_LT(film.at(1e-9, 0.0, 300.0).on_ball.moment.z, 0.0);
 }
 
-// In the middle no direction is another's better: squeeze resists all alike.
+// In the middle no direction is distinguished: squeeze resists all equally.
 TEST(PocketContact, FilmIsTheSameAllRoundInTheMiddle) {
   const Film film;
   const double along = -film.at(1e-9, 0.01, 0.0).on_ball.force.y;
@@ -141,7 +141,7 @@ TEST(PocketContact, SlopesOfTheFilmAreThoseOfItsLoad) {
     }
 }
 
-// Issue 19, Build 6: the same of both sides together, by every motion of the ball in its pocket.
+// The same of both sides together, by every motion of the ball in its pocket.
 TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
   const Film film;
   const ContactAxes<double> axes{.normal = {0.0, 1.0, 0.0}, .along = {0.0, 0.0, 1.0}, .across = {1.0, 0.0, 0.0}};

@@ -1,4 +1,4 @@
-// Issue 16, Build 8: clearance classes of bearings as they are bought.
+// Clearance classes of catalogue bearings.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -39,7 +39,7 @@ inline OperatingPoint static_load(double load, double direction = 0.0) {
   return point;
 }
 
-/// Kinematics of the reduction set (37/22/79 teeth, sun drives, ring stands) at `sun_speed` [rad/s].
+/// Kinematics of the reduction set (37/22/79 teeth, sun drives, stationary ring) at `sun_speed` [rad/s].
 inline OperatingPoint planet_motion(double sun_speed) {
   OperatingPoint point;
   point.carrier = {.speed = sun_speed / (1.0 + 79.0 / 37.0), .acceleration = 0.0, .orbit_radius = 87.891e-3};

@@ -78,7 +78,7 @@ TEST(MountedClearance, OfWarmRingsThatSitLoosely) {
   EXPECT_NEAR(chain.warm, -8.1972 * kUm, kPublished * 8.0 * kUm);
 }
 
-// Heat alike everywhere makes all lengths longer by one factor, the clearance and the interferences too.
+// Equal heat everywhere makes all lengths longer by one factor, the clearance and the interferences too.
 TEST(MountedClearance, GrowsWithAllLengthsWhereAllIsAlikeWarm) {
   Mounting mounting = on_the_shelf(40.0 * kUm);
   mounting.inner_interference = mounting.outer_interference = 8.0 * kUm;
@@ -123,7 +123,7 @@ TEST(MountedClearance, OfASpinningDiscByTheTextbook) {
   EXPECT_NEAR(displacement(disc, 0.1), expected, kRoundOff * expected);
 }
 
-// Pressed together at speed, both go on as one ring: no interference, equal strains at the seat.
+// Pressed together at speed, both act as one ring: no interference, equal strains at the seat.
 TEST(MountedClearance, OfASpinningRingInItsPlanetIsThatOfOneBody) {
   Surroundings around = kRim;
   around.planet_speed = 2000.0;
@@ -187,8 +187,8 @@ TEST(MountedClearance, WithoutRingsPinAndPlanetAreTheRaces) {
   EXPECT_NEAR(chain.warm - chain.fitted, -9.1885 * kUm, kPublished * 9.0 * kUm);
   EXPECT_EQ(chain.inner_pressure, 0.0);
   EXPECT_EQ(chain.outer_pressure, 0.0);
-  // Issue 19, Build 6: a planet that ends within its own race, at 35.01 mm, is none; nor is a pin of a hole
-  // alone.
+  // Refused are a planet that ends within its own race, at 35.01 mm, and a pin whose bore is larger than the
+  // pin.
   EXPECT_NO_THROW(clearance_chain(needles, mounting, {.planet_outer_radius = 17.6 * kMm}));
   EXPECT_REFUSED(std::invalid_argument, "mounted_clearance 3",
                  clearance_chain(needles, mounting, {.planet_outer_radius = 17.4 * kMm}));

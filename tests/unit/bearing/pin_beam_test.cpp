@@ -1,4 +1,4 @@
-// Issue 16, Build 2: the pin as a beam with shear, against closed forms.
+// The pin as a beam with shear, against closed forms.
 #include "bearing/pin_beam.hpp"
 
 #include <gtest/gtest.h>
@@ -43,9 +43,9 @@ TEST(PinBeam, ClampedPinGivesWayAsTextbooksSay) {
   EXPECT_NEAR(compliance(1, 1) / (a / bending), 1.0, 1e-8);
 }
 
-// Issue 48, Build 3. The sleeve passes a force in the middle on as that force and a moment at the free end,
-// which keep the end level: L^3/(12 E I), a quarter of the clamped pin's L^3/(3 E I); elsewhere the sleeve
-// turns as a rigid body.
+// The sleeve transmits a force in the middle as that force and a moment at the free end, which keep the end
+// level: L^3/(12 E I), a quarter of the clamped pin's L^3/(3 E I); elsewhere the sleeve rotates as a rigid
+// body.
 TEST(PinBeam, FlexpinMovesWithoutInclining) {
   PinBeam pin = kPinInWalls;
   pin.ends = PinEnds::flexpin;

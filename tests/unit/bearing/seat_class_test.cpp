@@ -1,5 +1,5 @@
-// Seats by tolerance classes. Issue 16, Build 8: a bearing as it is bought sits on a seat as it is drawn.
-// Values of [ISO286] as they stand in every table of fits, from memory.
+// Seats by tolerance classes: a catalogue bearing on a seat as in its drawing. Values of [ISO286] as in every
+// table of fits, from memory.
 #include "bearing/catalogue/classes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Issue 17, Build 6: benchmarks state medians with their spread.
-// Issue 44, item 15: also where SUNDIALS, which other benchmarks need, is not installed.
+// Medians of benchmarks with their spread; tested also where SUNDIALS, which other benchmarks require, is not
+// installed.
 #include "benchmarks/quartiles.hpp"
 
 #include <gtest/gtest.h>

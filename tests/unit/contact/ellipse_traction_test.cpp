@@ -1,4 +1,4 @@
-// Issue 14, Build 1: friction over the ellipse of a point contact against closed forms.
+// Friction over the ellipse of a point contact against closed forms.
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/ellint_2.hpp>

@@ -1,6 +1,5 @@
-// Issue 13, Builds 1 and 2: one source of the law for numbers, their slopes and our own packs.
-// The film law against the film at one speed, the search for the elastic approach against both, and the
-// search by powers against the one for any film.
+// The film law, one source for numbers, their slopes and our own packs, against the film at one speed, the
+// search for the elastic approach against both, and the search by powers against the one for any film.
 #include "bearing/contact/film_law.hpp"
 
 #include <gtest/gtest.h>
@@ -122,7 +121,7 @@ TEST(ElasticApproach, IsFoundWithAFilmThatIsNoPowerLaw) {
   check_search(SmoothFilm{FilmLaw<double>::of(oiled_contact())});
 }
 
-// What the film that is a power law gains by its own search it may not lose in the result.
+// The faster search for a film that is a power law gives the same result.
 TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
   using namespace vectorised::film_law_test_packs;
   const auto law = FilmLaw<double>::of(oiled_contact());
@@ -162,7 +161,7 @@ TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
   }
 }
 
-// What packs have for the film that is pressed out (contact/rigid_line_film.hpp).
+// Functions of packs for the squeeze film (contact/rigid_line_film.hpp).
 TEST(PackFunctions, AngleOfAVector) {
   namespace packs = mechanics::film_law_test_packs;
   std::mt19937_64 random(3);

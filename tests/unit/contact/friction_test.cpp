@@ -103,7 +103,7 @@ TEST(RollingResistance, FollowsThePublishedRegression) {
               kRoundOff * published);
 }
 
-// Issue 15, Build 5: in the groups of Moes, by hand at round numbers.
+// In the groups of Moes, by hand at round numbers.
 TEST(RollingResistance, ComputedFollowsItsInterpolation) {
   const FilmContact contact{.equivalent_radius = 0.01,
                             .length = 0.01,
@@ -166,7 +166,7 @@ TEST(MixedFriction, LimitsAreBoundaryFrictionAndTheFilmAlone) {
               1e-8 * boundary);
 }
 
-// Where the least film of Eq. (10) equals the roughness, asperities carry a quarter.
+// If the least film of Eq. (10) equals the roughness, asperities carry a quarter.
 TEST(MixedFriction, AQuarterWhereTheLeastFilmIsTheRoughness) {
   const FilmContact contact = oiled_contact();
   const double load = 400.0, sliding = 0.7, speed = 9.0;

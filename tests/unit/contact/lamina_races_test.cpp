@@ -57,8 +57,8 @@ TEST(LaminaRaces, LoadsAreSlopesOfTheEnergy) {
   }
 }
 
-// Issue 16, Build 2: the tilt is a variable of the motion, and where nothing turns the roller any more both
-// contacts balance.
+// The tilt is a variable of the motion, and where no moment tilts the roller any more both contacts are in
+// equilibrium.
 TEST(LaminaRaces, NothingTurnsARollerWhereBothContactsBalance) {
   const LaminaRaces races(contact(6e-6, 31), contact(3e-6, 31), Vector2(1.5e-3, 0.0));
   const Vector2 outward = Vector2(0.8, 0.6);

@@ -31,7 +31,7 @@ TEST(PointContact, SphereOnPlane) {
   EXPECT_NEAR(load_at_pressure(contact, pressure), load, load * kRoundOff);
 }
 
-// The ellipse gives back the difference it was asked for: F = ((r^2 + 1) E - 2 K)/((r^2 - 1) E).
+// The ellipse returns the difference from which it was found: F = ((r^2 + 1) E - 2 K)/((r^2 - 1) E).
 TEST(PointContact, EllipseBelongsToTheDifference) {
   constexpr double solved = 1e-10;  // the equation is flat near the circle
   for (const double difference : {0.01, 0.3, 0.7, 0.95, 0.999, 0.99999}) {

@@ -30,8 +30,7 @@ struct Contact {
   }
 };
 
-// Issue 17, Build 1: normal approach of cylinder and plane at constant speed, to 1 %: nothing rolls, nothing
-// touches.
+// Normal approach of cylinder and plane at constant speed, to 1 %, without rolling and without contact.
 TEST(SqueezeFilm, ApproachAtConstantSpeed) {
   const Contact contact;
   for (const double gap : {0.5e-6, 2e-6, 10e-6})
@@ -75,7 +74,8 @@ TEST(SqueezeFilm, HalfOfItWhereTheContactRolls) {
   EXPECT_NEAR(contact.law.load(-gap, 0.0, gap, 10.0, -slow), -expected, 1e-4 * expected);
 }
 
-// Never more than the wedge is taken away where surfaces part, and power is lost in every motion.
+// The squeeze film takes away at most the load of the wedge where surfaces separate, and power is lost in
+// every motion.
 TEST(SqueezeFilm, NeverPullsAndNeverGives) {
   const Contact contact;
   std::mt19937_64 random(7);
@@ -129,9 +129,9 @@ TEST(SqueezeFilm, ShareFallsWithTheLoad) {
   EXPECT_LT(before, 0.01);
 }
 
-// A film with a thickness of its own, x of it taken away, in series with the bodies under an approach that
-// swings by a thousandth of both: (k_e + k_f) x + c x' = k_e a(t). In time, against the law's c s^2.
-// Issue 17, Build 1: one film, its rate included.
+// A film with a thickness of its own, reduced by x, in series with the bodies under an approach that
+// oscillates by a thousandth of both: (k_e + k_f) x + c x' = k_e a(t). In time, against the law's c s^2. One
+// film, its rate included.
 TEST(SqueezeFilm, DampsAsAFilmOfItsOwnThickness) {
   const Contact contact;
   for (const double load : {0.5, 5.0, 50.0, 500.0}) {

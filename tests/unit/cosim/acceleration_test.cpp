@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// An affine answer; how many are asked until it is what was expected.
+// An affine answer; number of passes until it is the expected one.
 int passes(QuasiNewton& accelerator, const MatrixXd& law, const VectorXd& offset, int most) {
   VectorXd expected = VectorXd::Zero(offset.size());
   accelerator.begin();
@@ -34,13 +34,13 @@ TEST(QuasiNewton, SolvesOneUnknownInThree) {
   EXPECT_EQ(passes(secant, MatrixXd::Constant(1, 1, -3.0), VectorXd::Ones(1), 50), 3);
 }
 
-// As many differences as unknowns are exact: n + 1 passes for them, one to see it.
+// As many differences as unknowns are exact: n + 1 passes for them, one to check it.
 TEST(QuasiNewton, SolvesAsManyUnknownsAsItHasDifferences) {
   QuasiNewton secants(0);
   EXPECT_LE(passes(secants, expanding(6), VectorXd::LinSpaced(6, 1.0, 2.0), 50), 8);
 }
 
-// The next window knows the law already.
+// The next window has the law already.
 TEST(QuasiNewton, RemembersWindows) {
   QuasiNewton forgetful(0), mindful(3);
   const MatrixXd law = expanding(6);

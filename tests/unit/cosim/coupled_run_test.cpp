@@ -101,7 +101,7 @@ TEST(CoupledRun, AddsUpForces) {
   }
 }
 
-// A joint far stiffer than the window is long: an iteration that took the answers themselves would run away.
+// A joint far stiffer than the window is long: an iteration that took the answers themselves would diverge.
 TEST(CoupledRun, IteratesStiffJoints) {
   LinearPair stiff;
   stiff.joint_stiffness = 60.0;

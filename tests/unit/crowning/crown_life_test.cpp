@@ -78,8 +78,8 @@ TEST(CrownLife, SharesMustAddUp) {
                  problem_at({{100.0, 1.5}, {200.0, -0.5}}, LifeMethod::iso16281));
 }
 
-// By the adjoint of the balance, before differences took its place. Of both measures, without and with film,
-// over a spectrum.
+// By the adjoint of the equilibrium, before differences replaced it. For both measures, without and with
+// film, over a spectrum.
 struct KnownSlopes {
   std::string family;
   std::array<double, 4> by_drop;     // [1/m]

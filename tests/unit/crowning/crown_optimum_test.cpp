@@ -37,7 +37,7 @@ TEST(CrownOptimum, TenStartsEndInOneThatNoGridPointBeats) {
   }
 }
 
-// Without tilt, edges that feel nothing of their own are best left straight.
+// Without tilt, edges without edge stress are best left straight.
 TEST(CrownOptimum, UntiltedWithoutEdgeStressIsStraight) {
   const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   const ProfileFamily family = family_of("circular", problem.bearing, 1500.0);

@@ -1,4 +1,4 @@
-// What each duty does to a crown.
+// Effects of each duty on a crown.
 #include "coupling/study/crowning/crown_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 16, Build 9: the drop by half-space pressures, its band, and what missing it costs.
+// The drop by half-space pressures, its band, and the effect of missing it.
 #include "coupling/study/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace orbearing::study::crowning::half_space_search_test {
 namespace {
 
-constexpr double kCurve = 1e-2;  // of a life between its nodes: twice what the search asks for at the best
+constexpr double kCurve = 1e-2;  // of a life between its nodes: twice what the search requires at the best
 
 TEST(DropCurve, IsThePolynomialThroughItsNodes) {
   const auto cubic = [](double x) { return 2.0 - x + 3.0 * x * x * x; };
@@ -41,7 +41,7 @@ TEST(HalfSpaceAdvice, IsWhereTheShortestLifeIsLongest) {
   const double best = life(found.drop);
   EXPECT_NEAR(found.life_hours, best, kCurve * best);
   EXPECT_GT(found.drop, 0.1e-6);
-  // Issue 19, Build 6: between the 801 drops that are looked through first, not one of them.
+  // Between the 801 drops of the first scan, not one of them.
   const double scanned = found.drop / 10e-6 * 800.0;
   EXPECT_GT(std::abs(scanned - std::round(scanned)), 1e-3);
   for (const double step : {-0.3e-6, 0.3e-6}) EXPECT_LT(life(found.drop + step), (1.0 + kCurve) * best);

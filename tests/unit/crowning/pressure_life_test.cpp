@@ -1,4 +1,4 @@
-// Life from half-space pressures: what it must feel, and that few cage angles are enough.
+// Life from half-space pressures: effects that it must have, and that few cage angles are enough.
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/crowning/half_space_search.hpp"
 
@@ -24,9 +24,9 @@ TEST(PressureLife, TwoCageAnglesAreEnough) {
   }
 }
 
-// Away from sharp ends the laminae carry what the half-space presses: a profile that lets the pressure fall
-// towards the ends lives as its laminae without the stress riser say, to within what springs side by side
-// miss.
+// Away from sharp ends the laminae carry the pressures of the half-space: a profile whose pressure decreases
+// towards the ends has the life of its laminae without the stress riser, within the error of springs side by
+// side.
 TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   constexpr double kPressure = 0.05;  // of pressure, with whose ninth power the life goes
   const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
@@ -45,9 +45,9 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }
 
-// Issue 44, item 4: the damage at a sharp end is that of a pressure averaged over one half-width, whatever
-// the number of laminae. The share of straight rollers is taken over a small crown near the best one, whose
-// life hardly depends on its drop.
+// The damage at a sharp end is that of a pressure averaged over one half-width, whatever the number of
+// laminae. The share of straight rollers is taken over a small crown near the best one, whose life hardly
+// depends on its drop.
 TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
   constexpr double kConverged = 0.005;
   struct Speed {

@@ -1,4 +1,4 @@
-// Issue 16, Build 9: tolerances weighted by probability.
+// Tolerances weighted by probability.
 #include "coupling/study/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
@@ -17,15 +17,15 @@ double moment(const Misses& misses, int degree) {
   return (misses.weight * misses.miss.pow(degree)).sum();
 }
 
-// Of the uniform density the moments are 1/(k + 1), k even.
+// The moments of the uniform density are 1/(k + 1), k even.
 TEST(Misses, UniformOnesHaveTheMomentsOfTheirDensity) {
   const Misses found = misses_of(Distribution::uniform, 4);
   for (int degree = 0; degree < 8; ++degree)
     EXPECT_NEAR(moment(found, degree), degree % 2 == 0 ? 1.0 / (degree + 1) : 0.0, kRoundOff) << degree;
 }
 
-// Of the normal one cut off at three deviations: variance s^2 (1 - 2 a p(a)/(2 P(a) - 1)), a = 3, p and P of
-// the standard normal distribution.
+// The normal density is cut off at three deviations: variance s^2 (1 - 2 a p(a)/(2 P(a) - 1)), a = 3, p and P
+// of the standard normal distribution.
 TEST(Misses, NormalOnesAreCutOffAtThreeDeviations) {
   const double a = 3.0, p = std::exp(-0.5 * a * a) / std::sqrt(8.0 * std::atan(1.0));
   const double variance = (1.0 - 2.0 * a * p / std::erf(a / std::sqrt(2.0))) / (a * a);
@@ -44,7 +44,7 @@ TEST(PopulationLife, OfPlanetsAlikeIsTheirLife) {
               700.0 * kRoundOff);
 }
 
-// Where half of them never fail, the other half may lose a fifth of itself.
+// If half of them never fail, a fifth of the other half may fail.
 TEST(PopulationLife, IsWhatNineTenthsReach) {
   const double never = std::numeric_limits<double>::infinity();
   const double expected = 100.0 * std::pow(std::log(0.8) / std::log(0.9), 8.0 / 9.0);

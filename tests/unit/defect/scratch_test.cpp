@@ -54,7 +54,7 @@ TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
   }
 }
 
-// A rigid ball on an edge a from its middle stands a^2/(2R) lower, and changes edges in the middle.
+// A rigid ball on an edge, at a from the middle, is a^2/(2R) lower, and changes edges in the middle.
 TEST(Scratch, EdgesAreThoseOfARigidBall) {
   const double radius = 0.25 * kWidth * kWidth / (2.0 * kDeepest);  // to which this sinking belongs
   const double from_edge = 0.3 * kWidth;
@@ -90,7 +90,8 @@ TEST(Scratch, BendsAreTheSlopesOfSlopes) {
     }
 }
 
-// A measured groove with two sharp edges and a floor out of reach is what a rigid element makes of two edges.
+// A measured groove with two sharp edges and a floor out of reach equals the path of a rigid element over two
+// edges.
 TEST(Scratch, AMeasuredProfileIsRolledOverByTheArcOfTheElement) {
   const BearingGeometry geometry = geometry_of(nine_balls().bearing);
   Scratch measured{.race = Scratched::inner, .width = kWidth, .depth = 1e-3, .form = ScratchForm::profile};

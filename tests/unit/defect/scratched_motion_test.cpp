@@ -40,7 +40,7 @@ TEST(ScratchedMotion, RestsWhereTheStaticBearingDoes) {
 
 TEST(ScratchedMotion, StandsStillAtRest) {
   ScratchedBearing in = nine_balls();
-  in.shaft_speed = 1e-9;  // the cage takes balls round and with them the balance
+  in.shaft_speed = 1e-9;  // the cage moves balls and with them the equilibrium
   ScratchedMotion motion(in);
   const VectorXd x = at_rest(motion);
   take_form(motion, 0.0, x);
@@ -79,11 +79,12 @@ TEST(ScratchedMotion, RollersGoByTheirPower) {
   const ScratchedMotion motion(in);
   const LineContact one = roller_race_contact(in.bearing.contact_law, 9e-3);
   const double approach = motion.static_position().position[0] - 0.5 * in.bearing.radial_clearance;
-  const double load = one.load(0.5 * approach);  // two alike, one behind the other
+  const double load = one.load(0.5 * approach);  // two equal ones, one behind the other
   EXPECT_NEAR(motion.static_position().load[0], load, 1e-9 * load);
 }
 
-// Where a scratch is met, and how often: the middle of each passing is a whole number of passes on.
+// Positions and frequency of contacts with a scratch: the middle of each passing is a whole number of passes
+// on.
 TEST(ScratchedMotion, ScratchesAreMetAtTheirPassingFrequency) {
   for (const Scratched race : {Scratched::outer, Scratched::inner, Scratched::ball}) {
     const ScratchedBearing in = scratched(race);

@@ -1,5 +1,4 @@
-// Issue 14, Build 9: order tracking. Lines planted over orders are found, levels by Parseval; over frequency
-// they are smeared.
+// Order tracking. Lines planted over orders are found, levels by Parseval; over frequency they are smeared.
 #include "coupling/diagnosis/defect_view.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ Eigen::ArrayXd times() {
   return Eigen::ArrayXd::LinSpaced(static_cast<Eigen::Index>(kRate * kTime), 0.0, kTime - 1.0 / kRate);
 }
 
-// Of a shaft that runs up evenly from 10 to 90 turns a second.
+// Angle of a shaft that runs up evenly from 10 to 90 turns a second.
 Eigen::ArrayXd shaft_angle() {
   const Eigen::ArrayXd t = times();
   return kTwoPi * (kFrom * t + 0.5 * kRamp * t * t);

@@ -1,4 +1,4 @@
-// Issue 15, Build 2: identification finds the constants that frequencies were made with.
+// Identification finds the constants that frequencies were made with.
 #include "bearing/duplex/identification.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(DuplexIdentification, RecoversFiveConstantsOfTheLinearFormulas) {
   EXPECT_NEAR(found.shaft.inertia_y, 0.0455, flat * 0.0455);
 }
 
-// Bearings cannot stand closer than they are wide.
+// Bearings cannot be closer than they are wide.
 TEST(DuplexIdentification, KeepsTheLeastLever) {
   const double lever = 14e-3;
   const double inertia = cylinder_inertia(9.3, kCylinder.diameter, kCylinder.density);

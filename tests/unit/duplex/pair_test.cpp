@@ -1,4 +1,4 @@
-// Issue 15, Build 2: a pair's stiffness is the slope of its balance; its limits by arrangement and preload.
+// A pair's stiffness is the slope of its equilibrium; its limits by arrangement and preload.
 #include "bearing/duplex/pair.hpp"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,8 @@ TEST(DuplexPair, PreloadStiffens) {
   EXPECT_GT(heavy.ring.axial, 0.0);
 }
 
-// Hertz: normal stiffness grows with the cube root of the load, so all stiffness goes with the preload.
+// Hertz: normal stiffness is proportional to the cube root of the load, so all stiffness depends on the
+// preload.
 TEST(DuplexPair, StiffnessVanishesWithThePreload) {
   const Stiffness none = balance_pair(preloaded(Arrangement::face_to_face, 0.0)).ring.stiffness;
   EXPECT_NEAR(none.norm(), 0.0, 1e-6);

@@ -1,4 +1,4 @@
-// Issue 15, Build 2: modes and frequency response of a shaft against closed forms.
+// Modes and frequency response of a shaft against closed forms.
 #include "bearing/duplex/shaft.hpp"
 #include "mechanics/constants.hpp"
 
@@ -16,7 +16,7 @@ Stiffness uncoupled() {
   return Eigen::Vector<double, 5>(4e8, 5e8, 1e8, 3e4, 2e4).asDiagonal();
 }
 
-// x goes with the tilt in its plane, y with that in its own.
+// x is coupled with the tilt in its plane, y with that in its own.
 Stiffness coupled() {
   Stiffness k = uncoupled();
   k(0, 3) = k(3, 0) = -1.5e6;

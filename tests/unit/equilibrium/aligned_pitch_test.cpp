@@ -1,5 +1,5 @@
-// Level rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
-// loads and motions drawn at random. Issue 18, Build 4.
+// Aligned rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
+// loads and motions drawn at random.
 #include "bearing/equilibrium/aligned_pitch.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ TEST(AlignedPitch, StiffnessIsTheSlopeOfTheForces) {
   }
 }
 
-// From the balances under another load, near and far.
+// From the equilibria under another load, near and far.
 TEST(AlignedPitch, BalancesFromNeighboursAreTheSame) {
   RandomBearings bearings;
   int from_near = 0, by_itself = 0;
@@ -135,7 +135,7 @@ TEST(AlignedPitch, BalancesFromNeighboursAreTheSame) {
       }
     }
   }
-  EXPECT_LT(2 * from_near, by_itself);  // or it would not pay
+  EXPECT_LT(2 * from_near, by_itself);  // or it would have no advantage
 }
 
 TEST(AlignedPitch, EveryInstructionSetGivesTheSameBits) {

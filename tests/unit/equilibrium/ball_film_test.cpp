@@ -1,6 +1,5 @@
-// Issue 15, Build 4 and 6: the film of [Guo2013] in the balance of its bearing 7210: 40 degrees, 10 kN along
-// the axis, 0 to 15000 rpm. Number and size of balls are not printed: those of a catalogue bearing of this
-// size are assumed.
+// The film of [Guo2013] in the equilibrium of its bearing 7210: 40 degrees, 10 kN along the axis, 0 to 15000
+// rpm. Number and size of balls are not printed: those of a catalogue bearing of this size are assumed.
 #include <gtest/gtest.h>
 
 #include "bearing/equilibrium/row_group.hpp"
@@ -93,7 +92,7 @@ TEST(BallFilm, StiffnessIsTheSlopeOfTheForces) {
   }
 }
 
-// Where spin is shared, all of the motion is.
+// All members of the motion are interpolated like the spin.
 TEST(BallMotionBetween, MixesEachMemberWithItself) {
   const BallMotion<double> a{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}, b{10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0};
   const BallMotion<double> mixed = ball_detail::between(a, b, 0.25);

@@ -1,4 +1,4 @@
-// Issue 16, Build 1: a bearing whose outer race bends, in balance.
+// Equilibrium of a bearing whose outer race bends.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -63,8 +63,7 @@ TEST(ElasticRace, StiffnessIsTheSlopeOfTheForce) {
   }
 }
 
-// What the waves must be under the roller loads that were found: w = rest + sum of c_n Q_j cos(n (phi -
-// phi_j)).
+// Waves required by the roller loads that were found: w = rest + sum of c_n Q_j cos(n (phi - phi_j)).
 TEST(ElasticRace, StandsWhereItsRollersBendIt) {
   const RaceEquilibrium problem = problem_with(1.0);
   const QuasiStaticState state = solve(problem);

@@ -1,5 +1,5 @@
-// Issue 15, Build 1 and 6: balls at speed: bearing 218 of [Harris2006], slopes against differences, limits,
-// and the moment that a turning ball asks for.
+// Balls at speed: bearing 218 of [Harris2006], slopes against differences, limits, and the moment that a
+// rotating ball requires.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -47,7 +47,7 @@ TEST(JonesBalls, Bearing218AsPrinted) {
   EXPECT_NEAR(1e3 * state.axial / 0.03356346023339357, 1.0, kDigits);
 }
 
-// The races' moment on a ball is the rate of its angular momentum, here by differences in a frame at rest.
+// The races' moment on a ball is the rate of its angular momentum, here by differences in an inertial frame.
 TEST(JonesBalls, TheMomentIsTheRateOfAngularMomentum) {
   const Bearing bearing = bearing_218();
   const BearingGeometry geometry = geometry_of(bearing);
@@ -135,7 +135,7 @@ TEST(JonesBalls, StiffnessIsTheSlopeOfTheForces) {
     }
 }
 
-// Nearly at rest the moving row, through all of its own equations, is the row at rest.
+// At nearly zero speed the moving row, through all of its own equations, is the static row.
 TEST(JonesBalls, AtRestItIsTheStaticRow) {
   const Bearing bearing = bearing_218();
   const RingLoad load{.radial = 4000.0, .axial = 17800.0, .moment = 50.0};
@@ -206,7 +206,8 @@ TEST(JonesBalls, ForcesAtTheContactsHoldTheMoments) {
   }
 }
 
-// A bearing turned about its axis carries a turned load alike: one ball pitch further nothing has changed.
+// A bearing rotated about its axis carries an equal, rotated load: one ball pitch further nothing has
+// changed.
 TEST(JonesBalls, OnePitchFurtherNothingChanges) {
   Bearing bearing = bearing_218();
   const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};
@@ -239,8 +240,9 @@ TEST(JonesBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
   }
 }
 
-// Newton's method alone, from the bearing at rest, finds no balance of a light load on balls that are thrown
-// outward; the path from the centrifugal force alone leads to one, at which the row's own forces close.
+// Newton's method alone, from the stationary bearing, finds no equilibrium of a light load on balls with
+// centrifugal loads; the path from the centrifugal force alone leads to one, at which the row's own forces
+// close.
 TEST(JonesBalls, APathLeadsWhereNewtonStops) {
   const Bearing bearing = bearing_218();
   const RowMotion motion{.speeds = {.outer = 10000.0 * kRpm}};

@@ -1,4 +1,4 @@
-// Issue 16, Build 2 and "Done when": a planet that finds its own tilt on two bearings.
+// Computed tilt of a planet on two bearings.
 #include "bearing/equilibrium/planet_on_pin.hpp"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(PlanetOnPin, IsInBalance) {
   }
   EXPECT_LT(force.norm(), 1e-8 * point.bore_load.norm());
   EXPECT_LT(moments.norm(), 1e-8 * point.bore_load.norm() * kPosition);
-  // The pin bends as its compliance says under the opposite forces and moments.
+  // The pin bends by its compliance under the opposite forces and moments.
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const Vector2d a = force_of(state.bearings[0]), b = force_of(state.bearings[1]);
     const Eigen::Vector4d on_pin(-a[axis], -b[axis], -state.bearings[0].moment[axis],
@@ -116,9 +116,9 @@ TEST(PlanetOnPin, BearingWithMoreClearanceCarriesLess) {
   const double more = 10e-6;
   const PlanetOnPinState state = planet_on_pin(two_bearings(stiff_pin(), more), loaded(load), kNone, {}, 0.0);
   ASSERT_TRUE(state.report.converged) << state.report.message;
-  // Alone in balance both forces are equal whatever the clearance: two forces on a planet without other
-  // moments. The difference is in its tilt: half the clearance over the distance, and what the stiffness of
-  // tilted rollers takes off.
+  // In equilibrium both forces are equal whatever the clearance: two forces on a planet without other
+  // moments. The difference is in its tilt: half the clearance over the distance, less the effect of the
+  // stiffness of tilted rollers.
   const LaminaBearing one(cut_bearing()), other(cut_bearing(more));
   const double f = force_of(state.bearings[0]).norm() / force_of(state.bearings[1]).norm();
   const Vector2d first = quasi_static_state(one, loaded(0.5 * load), {}, 0.0).displacement;
@@ -136,7 +136,7 @@ TEST(PlanetOnPin, BearingWithMoreClearanceCarriesLess) {
   EXPECT_GT(f, 1.0);
 }
 
-// A pin clamped at one end gives way more at the other: the planet leans after it, and where the meshes hold
+// A pin clamped at one end deflects more at the other: the planet tilts with it, and where the meshes hold
 // its tilt, the bearing at the wall carries more. Springs in series by hand.
 TEST(PlanetOnPin, ClampedPinLoadsTheBearingAtTheWall) {
   const Vector2d load(0.0, 2400.0);
@@ -216,7 +216,7 @@ TEST(PlanetOnPin, FlexpinInclinesUnderAMoment) {
               1e-6 * angular * moment.norm());
 }
 
-// A pin that is no number ends as a planet without balance, said without NaN.
+// A pin that is no number ends as a planet without equilibrium, reported without NaN.
 TEST(PlanetOnPin, LeavesNoNaN) {
   PlanetOnPin planet = two_bearings(stiff_pin());
   planet.pin_compliance.setConstant(std::numeric_limits<double>::quiet_NaN());

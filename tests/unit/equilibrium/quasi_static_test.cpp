@@ -70,8 +70,8 @@ TEST(QuasiStaticState, NothingActsOnAnUnloadedBearingAtRest) {
   }
 }
 
-// Where unloaded rollers of the planet bearing at 6000 rpm rest: r (theta' + Omega)^2 + Omega^2 r_c cos theta
-// changes its sign at cos theta = -0.23. Without the Coriolis term r (theta'^2 + Omega^2) exceeds Omega^2 r_c
+// Unloaded rollers of the planet bearing at 6000 rpm: r (theta' + Omega)^2 + Omega^2 r_c cos theta changes
+// its sign at cos theta = -0.23. Without the Coriolis term r (theta'^2 + Omega^2) exceeds Omega^2 r_c
 // everywhere.
 TEST(QuasiStaticState, RollersOnTheSunSideRestOnThePinOnlyByCoriolis) {
   Bearing bearing = planet_bearing();

@@ -1,4 +1,4 @@
-// Forces of static bearings have an energy; balances hold for any load.
+// Forces of static bearings have an energy; equilibria exist for any load.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,10 +64,9 @@ TEST(StaticBalls, ForcesHaveAnEnergy) {
   expect_slopes(BallRow(bearing), position);
 }
 
-// Issue 44, item 14: the groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2)
-// cos(a), so a tilt moves them along z by R_i psi cos(phi). With that arm, the displacement and the loads
-// that are reported, the moment is the slope of the potential U(psi) - F_r u(psi) - F_a w(psi), whose slopes
-// by u and w vanish.
+// The groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2) cos(a), so a tilt moves
+// them along z by R_i psi cos(phi). With that arm, the displacement and the loads that are reported, the
+// moment is the slope of the potential U(psi) - F_r u(psi) - F_a w(psi), whose slopes by u and w vanish.
 TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
   for (const double nominal : {0.0, 0.5}) {
     const Bearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 10e-6);
@@ -103,7 +102,7 @@ TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
 }
 
 // One lamina, no clearance: c_L (u cos phi)^(10/9) on the loaded half, summed by hand for four rollers of
-// which one alone is loaded (two stand at a right angle).
+// which one alone is loaded (two are at a right angle).
 TEST(StaticRollers, FourRollersByHand) {
   Bearing in = rollers();
   in.rollers().count = 4;
@@ -157,7 +156,7 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
   }
 }
 
-// A relief on a race counts once, that of the rollers twice: once at either race.
+// A relief on a race acts once, that of the rollers twice: once at either race.
 TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
   Bearing on_rollers = rollers(), on_races = rollers();
   on_races.rollers().profile = profile::Straight{};
@@ -240,7 +239,7 @@ TEST(StaticBalls, AFullPitchOfTheFirstElementChangesNothing) {
   EXPECT_NEAR(one.contact_load[2], other.contact_load[0], 1e-6);
 }
 
-// Eight balls look alike in both planes, so without a radial load the answers to both moments are alike.
+// Eight balls are equal in both planes, so without a radial load the tilts under both moments are equal.
 TEST(StaticBalls, AMomentAcrossTiltsAcross) {
   const RingState along = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment = 4.0});
   const RingState across = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment_across = 4.0});

@@ -61,7 +61,8 @@ TEST(RollerBalance, UnsqueezedRollerRestsWhereItsInertialLoadPoints) {
   }
 }
 
-// A roller thrown on the bore sinks into it: the races may come closer by that before the pin feels it.
+// A roller under centrifugal load on the bore deforms it: the races may come closer by that before the pin is
+// loaded.
 TEST(RollerBalance, SqueezeBeginsContinuouslyBeyondTheInertialApproach) {
   const double element_depth = elastic().approach(4.0);
   EXPECT_EQ(balance_roller(dry(), dry(), 4.0, 0.999 * element_depth).inner_load, 0.0);

@@ -1,4 +1,4 @@
-// Issue 15, Build 1 "any number of rows", and a duplex pair at speed.
+// Groups of any number of rows, and a duplex pair at speed.
 #include "bearing/equilibrium/row_group.hpp"
 
 #include <gtest/gtest.h>
@@ -92,9 +92,9 @@ TEST(RowGroup, EveryEntryOfTheStiffnessOfThreeRowsIsASlopeOfTheForces) {
   }
 }
 
-// A pair preloaded by spacers on a shaft: at rest the pair of bearing/duplex; at speed balls are thrown
-// outward, inner contact angles grow, and the natural frequencies with them or against them; forces still
-// close.
+// A pair preloaded by spacers on a shaft: at zero speed the pair of bearing/duplex; at speed balls have
+// centrifugal loads, inner contact angles grow, and the natural frequencies with them or against them; forces
+// still close.
 TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
   const duplex::Shaft shaft{.mass = 12.0, .levers = {0.03, 0.03}, .inertia_x = 0.05, .inertia_y = 0.05};
   const duplex::Pair pair{.bearing = angular_balls(),
@@ -121,8 +121,8 @@ TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
   EXPECT_GT(fast_state.contact_angle.abs().minCoeff(), fast_state.outer_angle.abs().maxCoeff());
 }
 
-// Each row of a tandem keeps its load: balls that are thrown outward leave the sum of the axial forces as it
-// was.
+// Each row of a tandem keeps its load: centrifugal loads of balls leave the sum of the axial forces
+// unchanged.
 TEST(RowGroup, ATandemAtSpeedKeepsItsPreload) {
   const duplex::Pair pair{.bearing = angular_balls(),
                           .arrangement = duplex::Arrangement::tandem,

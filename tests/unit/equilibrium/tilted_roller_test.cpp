@@ -133,7 +133,7 @@ TEST(TiltedRoller, RandomRollersHaveTheStiffnessOfTheirLoad) {
     const RollerState state = settled(roller, r.setting);
     const double above = (settled(roller, up).outer.load - state.outer.load) / step;
     const double below = (state.outer.load - settled(roller, down).outer.load) / step;
-    // Where a lamina just touches, or a film's cap ends, the two sides differ.
+    // At the first touch of a lamina, or at the end of a film's cap, the two sides differ.
     if (std::abs(above - below) > kSides * std::abs(above)) continue;
     EXPECT_NEAR(state.stiffness, 0.5 * (above + below),
                 kSides * std::abs(above) + kBalance * (state.outer.load + kNothing) / step);

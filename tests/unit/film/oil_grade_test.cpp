@@ -1,4 +1,4 @@
-// Issue 16, Build 5: an oil by its grade and temperature.
+// An oil by its grade and temperature.
 #include "bearing/film/oil_grade.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Issue 15, Build 5: Reynolds' equation of a line contact.
+// Reynolds' equation of a line contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,9 +79,9 @@ TEST(ReynoldsLine, FilmsAreOfSecondOrder) {
   }
 }
 
-// The rolling traction is the first moment of the pressure: small beside the load, and felt where pressure
-// has its spike. In oils without one, order 2; with it the order is 1.4, and the error of the default grid
-// below 1 %.
+// The rolling traction is the first moment of the pressure: small compared with the load, and sensitive where
+// pressure has its spike. In oils without one, order 2; with it the order is 1.4, and the error of the
+// default grid below 1 %.
 TEST(ReynoldsLine, RollingTractionIsOfSecondOrder) {
   struct {
     double material, speed, load;
@@ -122,9 +122,8 @@ TEST(ReynoldsLine, TheInletBeyondTheDomainIsAccountedFor) {
   EXPECT_NEAR((longer.rolling_traction + longer.inlet_beyond) / all, 1.0, 0.02);
 }
 
-// Issue 15, Build 5: the rolling resistance that rollers feel in motion is what Reynolds' equation gives, at
-// points that took part in the interpolation and at others between and beyond them; order 1.5 where pressure
-// has its spike.
+// The rolling resistance of rollers in motion is that of Reynolds' equation, at points that took part in the
+// interpolation and at others between and beyond them; order 1.5 where pressure has its spike.
 TEST(ReynoldsLine, RollersInMotionFeelTheRollingResistanceThatIsComputed) {
   for (const double material : {3e3, 5.2e3})
     for (const double speed : {1e-12, 3e-10})

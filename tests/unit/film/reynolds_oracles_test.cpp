@@ -1,6 +1,6 @@
-// Issue 15, Build 5: films of Reynolds' equation against what does not come from the same equations: the line
-// solver in the middle of slender ellipses, the interpolations of Moes and others between asymptotes, the
-// density under pressure.
+// Films of Reynolds' equation against results that do not come from the same equations: the line solver in
+// the middle of slender ellipses, the interpolations of Moes and others between asymptotes, the density under
+// pressure.
 #include <gtest/gtest.h>
 
 #include <cmath>

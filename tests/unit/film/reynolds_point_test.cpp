@@ -1,4 +1,4 @@
-// Issue 15, Build 5: Reynolds' equation of an elliptical contact that rolls and spins.
+// Reynolds' equation of an elliptical contact that rolls and spins.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,7 @@ const PointFilmCase round_contact = of_groups(2e-11, 5e-7, 1.0);
 const PointFilmCase slender = of_groups(1e-11, 5e-7, 3.0);
 constexpr PointFilmGrid coarse{.along = 64, .across = 64};
 
-// The ratio of axes that is asked for is the one that Hertz's theory gives back: film without load nowhere
-// near.
+// The requested ratio of axes is the one that Hertz's theory returns: film without load nowhere near.
 TEST(ReynoldsPoint, LoadBalancesAndMassIsKeptAlsoWhereOilCavitates) {
   for (const PointFilmCase& contact : {round_contact, slender}) {
     const PointFilm film = solve_point_film(contact, {.along = 128, .across = 128});
@@ -154,8 +153,8 @@ TEST(ReynoldsPoint, SolvesHeavilyLoadedSlenderEllipsesAlsoWithMuchSpin) {
   EXPECT_TRUE(solve_point_film(six).converged);
 }
 
-// Surfaces that turn against each other ten times as fast as they roll, and a film of a tenth of a squared
-// step: no solution, and it is said before anybody loses patience.
+// Surfaces that rotate against each other ten times as fast as they roll, and a film of a tenth of a squared
+// step: no solution, which is reported in reasonable time.
 TEST(ReynoldsPoint, WhatIsNotSolvedIsGivenUp) {
   PointFilmCase turns = of_groups(1e-11, 1e-6, 6.0), thin = of_groups(1e-14, 1e-4, 1.0);
   turns.spin = 20000.0;

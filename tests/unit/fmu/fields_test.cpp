@@ -88,7 +88,7 @@ TEST(FmuFields, MeshCurvesAreTheSameCurves) {
   }
 }
 
-// Issue 16, Build 4: teeth under load travel with the model.
+// Teeth under load are part of the model in the file.
 TEST(FmuFields, LoadedTeethAreTheSameTeeth) {
   system::DrivenGearsSetup model = test::gear_model();
   const gearset::PeriodicCurve gap([](double f) { return 1e-6 * f * f; }, {0.0, 0.4}, 30);

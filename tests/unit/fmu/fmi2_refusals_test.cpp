@@ -1,4 +1,4 @@
-// What FMI 2.0 callers may do wrong: a status and a logged reason, and the instance goes on.
+// Mistakes of FMI 2.0 callers: a status and a logged reason, and the instance continues.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -85,7 +85,7 @@ TEST_F(Fmi2Refusals, StepsThatAreNone) {
   ASSERT_EQ(it.begin(1.0), fmi2OK);
   for (const double size : {0.0, -1e-5, kNaN, kInfinity, -kInfinity})
     EXPECT_SAID("fmi2 step 1", said(it, it.step(1.0, size)));
-  // Issue 52, item 12: a step that would never end.
+  // A step that would never end.
   for (const double size : {1.1e4, 1e300}) EXPECT_SAID("fmi2 step 2", said(it, it.step(1.0, size)));
   for (const double time : {0.0, 1.0 - 1e-5, 1.1, kNaN, kInfinity})
     EXPECT_SAID("fmi2 step 3", said(it, it.step(time, 1e-5)));

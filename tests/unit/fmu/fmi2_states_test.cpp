@@ -1,4 +1,4 @@
-// The C interface of FMI 2.0: states that are gone back to, and slopes of outputs.
+// The C interface of FMI 2.0: restored states, and slopes of outputs.
 #include <gtest/gtest.h>
 
 #include "tests/unit/fmu/fmu_model.hpp"

@@ -195,7 +195,7 @@ TEST(Fmi2Gears, RunsAsWithoutInterface) {
   EXPECT_EQ(instance.get("carrier.speed"), now.carrier_speed);
 }
 
-// Phases of meshes, cage and races count from the start of the experiment, not from zero of the clock, and no
+// Phases of meshes, cage and races begin at the start of the experiment, not at zero of the clock, and no
 // step has another length by round-off: the same numbers to the last bit.
 TEST(Fmi2, ALateStartIsTheSameRun) {
   const Resources gear_resources(numbers_of(test::gear_model()));

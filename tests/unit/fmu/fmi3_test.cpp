@@ -1,4 +1,4 @@
-// The C interface of FMI 3.0: the same model as through FMI 2.0, and what it asks for beyond.
+// The C interface of FMI 3.0: the same model as through FMI 2.0, and its additional requirements.
 #include "coupling/fmu/fmi3.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ void press(Instance3& it) {
   it.set("planet.displacement.y", 25e-6);
 }
 
-// Issue 18, Build 6: start load and steps that are too long, as through FMI 2.0 (start_load_test.cpp).
+// Start load and steps that are too long, as through FMI 2.0 (start_load_test.cpp).
 TEST(Fmi3Bearing, BeginsUnderItsStartLoadAndSaysWhichStepIsTooLong) {
   Instance3 it;
   it.set("start_load.x", 250.0);

@@ -48,7 +48,7 @@ class Resources {
   ~Resources() { std::filesystem::remove_all(folder_); }
 
   std::string folder() const { return folder_.string(); }
-  /// As FMI 2.0 wants it.
+  /// As FMI 2.0 requires it.
   std::string uri() const {
     std::string uri = "file://";
     for (const char c : folder_.string()) uri += c == ' ' ? std::string("%20") : std::string(1, c);
@@ -73,7 +73,7 @@ class Resources {
   std::string token_;
 };
 
-/// What an instance logged.
+/// Messages that an instance logged.
 struct Messages {
   std::vector<std::pair<int, std::string>> list;  // status, text
 
@@ -84,7 +84,7 @@ struct Messages {
   }
 };
 
-/// What a call came to: its status and what it logged, as 'error: fmi2DoStep: ...'. Clears the log.
+/// Outcome of a call: its status and its log, as 'error: fmi2DoStep: ...'. Clears the log.
 inline std::string said(Messages& log, int status) {
   constexpr const char* names[] = {"ok", "warning", "discard", "error", "fatal"};
   std::string text = names[status];

@@ -1,4 +1,4 @@
-// Where an importer says the resources are.
+// Location of the resources as an importer states it.
 #include "coupling/fmu/model_file.hpp"
 
 #include <gtest/gtest.h>

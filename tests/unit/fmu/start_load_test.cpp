@@ -1,4 +1,4 @@
-// Issue 18, Build 6: a bearing that begins in balance under its start load, and steps that are too long.
+// A bearing that begins in equilibrium under its start load, and steps that are too long.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Issue 49, Build 1: oil where it is. Share of oil by the flow, starvation, heated inlets, viscosity under
-// pressure, each against its published form and its limits.
+// Oil supply of the contacts: share of oil by the flow, starvation, heated inlets, viscosity under pressure,
+// each against its published form and its limits.
 #include "bearing/friction/oil_supply.hpp"
 
 #include <gtest/gtest.h>
@@ -127,8 +127,8 @@ TEST(InletHeating, OfBallsLowersTheLossByRollingAlone) {
               1e-6 * cold.rolling);
 }
 
-// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that the
-// fit has not seen, one beyond its range: the first moment of the pressure.
+// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that are
+// not in the fit, one beyond its range: the first moment of the pressure.
 TEST(BallRolling, IsThatOfReynoldsEquation) {
   struct Contact {
     double viscosity, load, speed, radius_ratio;
@@ -237,7 +237,8 @@ struct RigidFilm {
   double load = 0.0, moment = 0.0;
 };
 
-// Where a film between rigid cylinders ends at `exit`, its pressure there; adds to the sum if there is one.
+// Pressure at the end `exit` of a film between rigid cylinders; adds load and moment to `sum` if there is
+// one.
 double pressure_at_end(double from, double exit, RigidFilm* sum) {
   constexpr int count = 40000;
   const double first = -std::asinh(from);
@@ -297,7 +298,7 @@ TEST(RollerFriction, InletsEndWhereTheOilOfTheMixtureEnds) {
   EXPECT_LT(ended.idle / flooded.idle, (ended.rolling - ended.idle) / (flooded.rolling - flooded.idle));
 }
 
-// The mixture of rollers is carried round as that of balls: less drag than in one at rest.
+// The mixture of rollers rotates as that of balls: less drag than in a stationary one.
 TEST(RollerFriction, DragIsBelowThatOfAMixtureAtRest) {
   const Bearing bearing = example_bearings::planet_bearing();
   const BearingGeometry g = geometry_of(bearing);

@@ -1,4 +1,4 @@
-// Issue 49, Build 2: friction torque by formulas of others, against values by hand.
+// Friction torque by formulas of other sources, against values by hand.
 #include "bearing/friction/published_torque.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(PalmgrenTorque, OfARollerBearingByHand) {
   EXPECT_NEAR(torque.load_dependent, 11.055e-3, kByHand * 11.055e-3);
 }
 
-// Of balls f_1 grows with the root of the load: 0.0009 (390/7800)^0.5 = 2.0125e-4, x 390 N x 38.5 mm.
+// For balls f_1 grows with the root of the load: 0.0009 (390/7800)^0.5 = 2.0125e-4, x 390 N x 38.5 mm.
 TEST(PalmgrenTorque, OfABallBearingByHand) {
   const TorqueCondition run = at(28000.0, 12.0, 390.0);
   const PartedTorque torque = parted_torque(palmgren_factors(ball_bearing(), run), 38.5e-3, run);
@@ -51,7 +51,7 @@ TEST(PalmgrenTorque, IsConstantAtLowSpeed) {
   EXPECT_NEAR(slow, 160e-7 * 2.0 * 64e3 * 1e-3, 1e-12);
 }
 
-// A heavy axial load counts 3.3 times on balls, and never less than the radial one.
+// A heavy axial load has the factor 3.3 on balls, and never counts less than the radial one.
 TEST(PalmgrenTorque, TakesAxialLoadsOfBalls) {
   EXPECT_DOUBLE_EQ(palmgren_factors(ball_bearing(), at(1.0, 1.0, 100.0, 1000.0)).load, 3290.0);
   EXPECT_DOUBLE_EQ(palmgren_factors(ball_bearing(), at(1.0, 1.0, 100.0, 10.0)).load, 100.0);
@@ -76,7 +76,8 @@ TEST(SkfTorque, OfARollerBearingByHand) {
   EXPECT_LT(torque.boundary_share, 1e-10);
 }
 
-// A trace of axial load changes nothing of the rolling part; at rest the boundary carries all: mu = 0.15.
+// A trace of axial load changes nothing of the rolling part; at zero speed the boundary carries all: mu =
+// 0.15.
 TEST(SkfTorque, HasItsLimits) {
   const SkfTorque radial = skf_torque(ball_bearing(), at(5000.0, 12.0, 500.0)),
                   traced = skf_torque(ball_bearing(), at(5000.0, 12.0, 500.0, 1e-6));

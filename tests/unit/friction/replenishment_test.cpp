@@ -1,5 +1,5 @@
-// Inlets of rollers that end by the balance of their oil; starvation by SKF's factor; oil that its friction
-// heats.
+// Inlets of rollers limited by the balance of their oil; starvation by SKF's factor; oil heated by its
+// friction.
 #include "bearing/friction/replenishment.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,8 @@ TEST(ReturnedOil, OfRollersIsByTheirChurning) {
   EXPECT_NEAR(turning.returned(Race::outer), expected, 1e-12 * expected);
 }
 
-// What comes to a race in the time of one turn past the rollers has the momentum that its wall takes.
+// The oil that returns to a race in the time of one turn past the rollers has the momentum that its wall
+// takes.
 TEST(ReturnedOil, OfRacesHasTheMomentumOfTheirDrag) {
   Turning turning;
   turning.drag.churning = 0.0;
@@ -153,7 +154,7 @@ TEST(ReplenishedRollers, ResistMoreTheMoreOilReturns) {
   EXPECT_LT(rollers.with({.end = InletEnd::replenished}, {.oil_share = 1e-12}).rolling, 0.01 * before);
 }
 
-// All races and rollers alike: ln of the share left is as 1/X, so as the third root of the share of oil.
+// All races and rollers equal: ln of the remaining share is as 1/X, so as the third root of the share of oil.
 TEST(ReplenishedRollers, LoseByTheThirdRootOfTheOil) {
   const Lossy rollers;
   const auto far = [&](double share) {

@@ -1,5 +1,4 @@
-// Issue 49, Build 2: friction at pure rolling, against the laws written out and against the bearing in
-// motion.
+// Friction at pure rolling, against the laws written out and against the bearing in motion.
 #include "bearing/friction/rolling_friction.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +46,7 @@ TEST(RollerFriction, IsTwiceResistanceTimesRollingSpeedAtEachContact) {
   constexpr double rounding = 2e-3;  // loads and speeds at zero are rounded over 1 N and 0.01 m/s
   const RollingFriction loss = roller_friction(bearing, loads, {shaft, 0.0}, kOil);
   EXPECT_NEAR(loss.rolling, by_hand, rounding * by_hand);
-  // Thirteen of fifteen rollers are thrown against the outer race alone.
+  // Thirteen of fifteen rollers have only their centrifugal load on the outer race.
   const double idle = 2.0 * rolling * std::sqrt(thrown / (thrown + 1.0)) *
                       resistance(modulus, equivalent_radius(g, Race::outer), 5.7e-3, rolling, thrown);
   EXPECT_NEAR(loss.idle, 13.0 * idle, rounding * by_hand);

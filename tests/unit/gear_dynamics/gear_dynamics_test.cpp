@@ -34,7 +34,7 @@ TEST(Deflection, OfThePlanetOnTheXAxis) {
   EXPECT_EQ(ring.planet.z(), -1.0);
 }
 
-// A shift of all bodies alike leaves every deflection as it is; only turning members press the teeth.
+// An equal shift of all bodies leaves every deflection unchanged; only rotating members press the teeth.
 TEST(Deflection, IgnoresACommonShift) {
   for (const double psi : {0.0, 1.1, 4.0})
     for (const Flank flank : {Flank::driving, Flank::back})
@@ -143,8 +143,8 @@ TEST(Modes, LeaveHeldFreedomsOut) {
   EXPECT_EQ(count, 18 - 3);
 }
 
-// Towards rest the frequencies at speed become those at rest; a slow carrier moves them by less than it
-// turns.
+// At decreasing speed the frequencies tend to those without rotation; a slow carrier changes them by less
+// than its own speed.
 TEST(Modes, AtASlowSpeedAreThoseAtRest) {
   Operation operation;
   operation.speeds.carrier = 1.0;

@@ -1,5 +1,5 @@
-// Whether a set on fitted bearings stays where it is: rates of growth, springs that pump, the motion that
-// repeats, and runs that are given up in time. Issue 17, Build 3.
+// Stability of a set on fitted bearings: rates of growth, parametric excitation, the periodic motion, and
+// runs that are stopped in time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(LargestGrowth, IsThatOfTheEquations) {
   EXPECT_LT(growing, 9);
 }
 
-// Dampers that take energy are not enough: springs that are not alike across give it.
+// Dampers that dissipate energy are not enough: springs with different stiffness across supply it.
 TEST(LargestGrowth, SeesSpringsThatGiveEnergy) {
   EXPECT_LE(largest_growth(model_on(law(3e8, 0.0, 500.0))), 0.0);
   EXPECT_GT(largest_growth(model_on(law(3e8, 3e8, 500.0))), 0.0);

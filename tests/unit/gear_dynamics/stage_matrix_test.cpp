@@ -25,7 +25,7 @@ Port port_of(int planet) {
   return port;
 }
 
-// Issue 17, Build 5: the gears of one system are solved planet by planet.
+// The gears of one system are solved planet by planet.
 TEST(StageMatrix, SolvesAsTheDenseOneDoes) {
   for (const int planets : {3, 4, 6}) {
     SetParameters set = test::lin_parker(planets);
@@ -66,7 +66,6 @@ TEST(StageMatrix, SolvesAsTheDenseOneDoes) {
   }
 }
 
-// Issue 17, Build 5
 TEST(StageMatrix, SaysWhereAPivotVanishes) {
   const SetModel model = test::lin_parker_model(3);
   const Eigen::Index n = model.layout.freedoms();

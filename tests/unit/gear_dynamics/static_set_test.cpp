@@ -1,4 +1,4 @@
-// A set at rest that follows its pins, against the search anew at each of their places. Issue 18, Build 4.
+// A static set that follows its pins, against a new search at each of their positions.
 #include <gtest/gtest.h>
 
 #include "gearset/dynamics/bearing_force.hpp"
@@ -26,7 +26,7 @@ Eigen::Matrix2Xd forces_of_springs(const SetModel& model, const Eigen::VectorXd&
   return forces;
 }
 
-// By forces: where the teeth of a planet have parted, how it stands between them is nobody's.
+// By forces: if the teeth of a planet have separated, its position between them is undetermined.
 void expect_search_anew(const SetModel& model, StaticSet& set, const Eigen::Matrix2Xd& offset) {
   const SetModel other = displaced(model, offset);
   const Eigen::Matrix2Xd found = set.bearing_forces(set.at(offset), offset),

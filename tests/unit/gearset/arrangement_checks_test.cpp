@@ -56,7 +56,7 @@ TEST(ArrangementProblems, NameFloatingMembers) {
   EXPECT_THAT(only_problem(nowhere).found, HasSubstr("transmission.ring on no shaft"));
 }
 
-// A ring that nothing holds leaves its set without torque; all else goes on as without that set.
+// A ring that nothing holds leaves its set without torque; the rest continues as without that set.
 TEST(ArrangementProblems, AreNoneForAnIdleSet) {
   Arrangement idle = reducer_alone();
   idle.sets.push_back(arranged("brake", 37, 22, 79));
@@ -68,7 +68,7 @@ TEST(ArrangementProblems, AreNoneForAnIdleSet) {
   EXPECT_THAT(idle_sets(flow), ElementsAre(1));
   EXPECT_THAT(idle_sets(power_flow(reducer_alone())), IsEmpty());
   EXPECT_EQ(flow.sets[1].torque.carrier, 0.0);
-  EXPECT_NEAR(flow.sets[1].speed.ring, 0.0, 1e-14);  // as the like set beside it, whose ring stands
+  EXPECT_NEAR(flow.sets[1].speed.ring, 0.0, 1e-14);  // as the equal set beside it, whose ring is stationary
   EXPECT_NEAR(flow.sets[1].speed.planet_relative, flow.sets[0].speed.planet_relative, 1e-14);
 }
 
@@ -87,7 +87,7 @@ TEST(ArrangementProblems, NameAMemberOnTwoShafts) {
   EXPECT_THAT(only_problem(twice).found, HasSubstr("reduction.ring on 'housing' and 'output'"));
 }
 
-// A locked set turns as one, so its ring cannot stand while the motor runs.
+// A locked set rotates as one, so its ring cannot be stationary while the motor runs.
 TEST(ArrangementProblems, NameContradictoryShafts) {
   const Arrangement locked{
       {arranged("first", 30, 30, 90), arranged("second", 37, 22, 79)},

@@ -30,7 +30,7 @@ inline Shaft ground(std::vector<SetMember> members) {
   return {"housing", std::move(members), false, false, true};
 }
 
-/// Sun drives, ring stands, carrier delivers.
+/// Sun drives, ring stationary, carrier delivers.
 inline Arrangement reducer_alone() {
   return {{arranged("reduction", 37, 22, 79)},
           {motor({{0, sun}}), ground({{0, ring}}), load({{0, carrier}})}};
@@ -46,7 +46,7 @@ inline Arrangement three_in_series() {
 }
 
 /// Simpson's gear train in its low gear: one sun for both sets; the front ring drives, the front carrier
-/// delivers together with the rear ring, the rear carrier stands.
+/// delivers together with the rear ring, the rear carrier is stationary.
 inline Arrangement simpson_low() {
   return {{arranged("front", 28, 17, 62), arranged("rear", 28, 17, 62)},
           {motor({{0, ring}}), shaft("suns", {{0, sun}, {1, sun}}), load({{0, carrier}, {1, ring}}),

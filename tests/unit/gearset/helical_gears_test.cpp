@@ -1,4 +1,4 @@
-// Issue 16, Build 3: helical teeth, geometry and loads in closed form.
+// Helical teeth, geometry and loads in closed form.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -65,8 +65,8 @@ TEST(HelicalGears, MeshAtTheReferenceDistanceWithoutShifts) {
   EXPECT_NEAR(g.sun_mesh.contact_ratio, 2.0 * reach / pitch, 1e-6);
 }
 
-// Issue 44, item 12: shifts of the wind turbine's stage as its root diameters say, d_f = d -+ 2 m (h_f - x) with one
-// depth h_f of the roots; carrier radius 308.000 +- 0.010 mm.
+// Shifts of the wind turbine's stage from its root diameters, d_f = d -+ 2 m (h_f - x) with one depth h_f of
+// the roots; carrier radius 308.000 +- 0.010 mm.
 TEST(HelicalGears, OfTheWindTurbineHaveTheirRootsAndTheirDistance) {
   const PlanetarySet set = wind_stage();
   const WorkingGeometry g = working_geometry(set);

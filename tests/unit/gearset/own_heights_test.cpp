@@ -1,4 +1,4 @@
-// Issue 16, Build 3: addendum and clearance per gear, and the web factor of thin discs.
+// Addendum and clearance for each gear, and the web factor of thin discs.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Issue 16, Build 3: a parallel stage in front of or behind planetary sets.
+// A parallel stage in front of or behind planetary sets.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -46,7 +46,7 @@ TEST(ParallelStage, IsASetWhoseCarrierIsTheHousing) {
   const double carrier = -20.0 / 63.0 * set.sun_teeth / (set.sun_teeth + set.ring_teeth);
   EXPECT_NEAR(flow.sets[2].speed.ring / carrier, -50.0 / 17.0, round_off);
   EXPECT_EQ(flow.sets[2].speed.carrier, 0.0);
-  // Torques of both gears and the housing are in balance.
+  // Torques of both gears and the housing are in equilibrium.
   EXPECT_NEAR(flow.sets[1].torque.sun + flow.sets[1].torque.ring + flow.sets[1].torque.carrier, 0.0,
               10.0 * round_off);
   EXPECT_NEAR(flow.sets[1].torque.carrier, -(1.0 + 63.0 / 20.0), 10.0 * round_off);
@@ -114,8 +114,7 @@ TEST(ParallelStage, SeveralInFrontFollowEachOther) {
   EXPECT_NEAR(flow.sets[0].torque.sun * sun, 1.0, 10.0 * round_off);
 }
 
-// Whose order they have, on which side of the set they stand and how many there are: the ratio is the
-// product.
+// Whatever the order, the side of the set and the number of stages: the ratio is the product.
 TEST(ParallelStage, OrderDoesNotChangeTheOverallRatio) {
   const PlanetarySet set = reducer();
   const std::vector<StageTeeth> stages{{20, 63}, {88, 22}, {31, 30}, {40, 40}};

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: planets in pairs, the first in the sun, the second in the first and in the ring.
+// Planets in pairs, the first in the sun, the second in the first and in the ring.
 #include "gearset/planet_pair.hpp"
 
 #include <fmt/format.h>
@@ -67,8 +67,8 @@ TEST(PlanetPair, HasTheSpeedsAndTorquesOfWillis) {
   }
 }
 
-// What both pins hold turns the carrier with its torque; along the line of a pair's axes only the separating
-// forces differ by the side on which the second stands.
+// The forces of both pins balance the torque of the carrier; along the line of a pair's axes only the
+// separating forces differ by the side of the second planet.
 TEST(PlanetPair, PinsCarryTheTorqueOfTheCarrier) {
   for (const PairSide side : {PairSide::ahead, PairSide::behind})
     for (const Member driven : {Member::sun, Member::carrier}) {
@@ -166,15 +166,14 @@ TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
   EXPECT_NE(found[0].text.find("the tips of the ring reach below the second planet's form circle"),
             std::string::npos)
       << found[0].text;
-  // What it costs: the path to the form radius, and not to the ring's tips.
+  // Effect on the path: to the form radius, and not to the ring's tips.
   EXPECT_NEAR(planet_pair_geometry(set, second).ring_mesh.contact_ratio, 1.737, 5e-4);
   set.sun_shift = -0.9;  // undercut: 33 teeth need more than -0.93, and the meshes reach deeper
   EXPECT_GE(pair_tooth_warnings(set, second).size(), 1U);
 }
 
-// Six pairs: a first planet stands 60 - 40.54 degrees from the second one of the pair before, 23 mm apart;
-// tips have radii of 22 and 23 mm, m (z/2 + 1). First planets, 50 mm apart, and second ones, 63 mm, have
-// room.
+// Six pairs: a first planet is 60 - 40.54 degrees from the second one of the previous pair, 23 mm apart; tips
+// have radii of 22 and 23 mm, m (z/2 + 1). First planets, 50 mm apart, and second ones, 63 mm, have room.
 TEST(PlanetPair, UnlikePlanetsOfNeighboursNeedRoom) {
   PlanetarySet set = paired_set();
   set.planets = 6;

@@ -103,7 +103,7 @@ TEST(PowerFlow, CirculatesThreeTimesTheInput) {
   EXPECT_EQ(circulation.members.size(), 4U);  // both suns and both rings; the carriers carry 1 and 0
 }
 
-// A carrier that turns backwards is seen from the other side: same loads, everything turned round.
+// A carrier that rotates backwards is the mirrored case: same loads, all senses reversed.
 TEST(PowerFlow, TurnsTheFrameWithTheCarrier) {
   const PowerFlow flow = power_flow(circulating());
   const PlanetarySet set = standard_set();

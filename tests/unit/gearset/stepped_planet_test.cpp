@@ -1,4 +1,4 @@
-// Issue 48, Build 3: two gears on each planet, the first in the sun, the second in the ring.
+// Two gears on each planet, the first in the sun, the second in the ring.
 #include "gearset/stepped_planet.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(SteppedPlanet, IsInBalance) {
                 1.0, round_off);
     EXPECT_NEAR(loads.tangential_force * set.planets * g.centre_distance / -loads.carrier_torque, 1.0,
                 round_off);
-    // Gears of 20 and 30 mm, 40 mm apart, reach from -10 to 55 mm: their middles stand at -22.5 and 17.5 mm.
+    // Gears of 20 and 30 mm, 40 mm apart, reach from -10 to 55 mm: their middles are at -22.5 and 17.5 mm.
     const GearPlanes planes = gear_planes(set);
     EXPECT_NEAR(planes.sun, -22.5e-3, 1e-15);
     EXPECT_NEAR(planes.ring, 17.5e-3, 1e-15);
@@ -115,8 +115,8 @@ TEST(SteppedPlanet, OffsetTheOtherWayMirrorsTheCouple) {
   EXPECT_EQ(other.tangential_force, one.tangential_force);
 }
 
-// Planets that are alike find their spaces where psi (z_s z_p2 + z_r z_p1)/(2 pi gcd) is whole: here
-// (30 x 20 + 110 x 60)/20 = 360.
+// Equal planets find their spaces where psi (z_s z_p2 + z_r z_p1)/(2 pi gcd) is whole: here (30 x 20 + 110 x
+// 60)/20 = 360.
 TEST(SteppedPlanet, FindsItsSpacesAtItsOwnSteps) {
   PlanetarySet set = stepped_set();
   EXPECT_EQ(willis_teeth(set).positions(), 360);

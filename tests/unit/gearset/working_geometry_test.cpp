@@ -49,8 +49,8 @@ TEST(WorkingGeometry, RefusesShiftsWithoutCommonCentreDistance) {
   EXPECT_REFUSED(std::domain_error, "working_geometry 4", working_geometry(set));
 }
 
-// Issue 19, Build 6. Both sides: no distance is short enough, none is long enough; what is said is what to
-// change, not that a search had no bracket.
+// Both sides: no distance is short enough, none is long enough; the message names the input to change, not a
+// search without a bracket.
 TEST(WorkingGeometry, SaysWhichShiftsHaveNoCommonCentreDistance) {
   const auto said = [](double ring_shift) -> std::string {
     PlanetarySet set = standard_set();

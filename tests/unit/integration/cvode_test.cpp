@@ -40,7 +40,8 @@ TEST(Cvode, FollowsAStiffCosine) {
 constexpr double kPath = 0.3e-3;          // [s]
 constexpr long kSamples = 30;             // [-]
 constexpr double kAllowedLength = 1e-13;  // [m]  of one step
-// Of the largest load: a thousand steps, each off by the allowed length, over approaches of micrometres.
+// Tolerance over the largest load: a thousand steps, each off by the allowed length, over approaches of
+// micrometres.
 constexpr double kLoadAgreement = 1e-4;
 
 class CvodeBearing : public testing::Test {

@@ -24,7 +24,7 @@ TEST(GearSteps, AllowedErrorsAreAShareOfTheDeflectionAndThatTimesAFrequency) {
   EXPECT_NEAR(allowed.tail(n).maxCoeff(), share * deflection * frequency, 1e-12 * deflection * frequency);
 }
 
-// Issue 19, Build 6: the softer mesh bends most, be it that of the sun or of the ring.
+// The softer mesh bends most, be it that of the sun or of the ring.
 TEST(GearSteps, AllowedErrorsAreThoseOfTheSofterMesh) {
   constexpr double share = 1e-3, torque = 1500.0, soft = 2e8, hard = 5e8;  // [-], [N m], [N/m]
   for (const bool ring_is_soft : {true, false}) {

@@ -11,7 +11,7 @@
 namespace orbearing::integration::rosenbrock_test {
 namespace {
 
-constexpr std::size_t kLanes = 8;  // the stepper asks for multiples of eight
+constexpr std::size_t kLanes = 8;  // the stepper requires multiples of eight
 using State = Rosenbrock2::state_type;
 
 // x' = -2 t x^2: x = 1 / (c + t^2) with 1/c at the start. Neither linear nor free of time.
@@ -82,18 +82,17 @@ TEST(Rosenbrock2, ConvergesAtOrderTwo) {
   expect_order<Rosenbrock2>(2.0, 200);
 }
 
-// Issue 17, Build 2: ROS3 of [Sandu1997].
+// ROS3 of [Sandu1997].
 TEST(Rosenbrock3, ConvergesAtOrderThree) {
   expect_order<Rosenbrock3>(3.0, 200);
 }
 
-// Issue 17, Build 2: two right-hand sides, order 4. x^2 and t have the conditions with second and mixed third
-// derivatives.
+// Two right-hand sides, order 4. x^2 and t have the conditions with second and mixed third derivatives.
 TEST(Rosenbrock4, ConvergesAtOrderFour) {
   expect_order<Rosenbrock4>(4.0, 20);
 }
 
-// x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives count as much as second ones.
+// x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives are as large as second ones.
 struct Pendulum {
   double slope = 0.0, g = 0.0;
 
@@ -125,7 +124,6 @@ double pendulum_after_ten(int steps) {
   return after_equal_steps<Stepper>(Pendulum(), x, 10.0, steps)[0];
 }
 
-// Issue 17, Build 2.
 TEST(Rosenbrock4, ConvergesOnAPendulum) {
   const double exact = pendulum_after_ten<Rosenbrock4>(20'000);
   const auto error = [&](int steps) { return std::abs(pendulum_after_ten<Rosenbrock4>(steps) - exact); };
@@ -133,8 +131,8 @@ TEST(Rosenbrock4, ConvergesOnAPendulum) {
   EXPECT_LT(error(160), 1e-3 * std::abs(pendulum_after_ten<Rosenbrock3>(160) - exact));
 }
 
-// Issue 17, Build 5: a vibration, x' = i w x in lanes 0 and 1, keeps its height where steps of order 3 take
-// from it: of one step it leaves R(i w h), with the rational function of order 4 whose pole 4 is fivefold.
+// A vibration, x' = i w x in lanes 0 and 1, keeps its amplitude, which steps of order 3 reduce: one step
+// multiplies it by R(i w h), with the rational function of order 4 whose pole 4 is fivefold.
 TEST(Rosenbrock4, KeepsTheHeightOfAVibration) {
   struct Vibration {
     double w, g = 0.0;
@@ -224,17 +222,15 @@ TEST(Rosenbrock2, ControlledStepsKeepToTheAllowedError) {
   expect_controlled_steps<Rosenbrock2>(2.0);
 }
 
-// Issue 17, Build 2.
 TEST(Rosenbrock3, ControlledStepsKeepToTheAllowedError) {
   expect_controlled_steps<Rosenbrock3>(3.0);
 }
 
-// Issue 17, Build 2.
 TEST(Rosenbrock4, ControlledStepsKeepToTheAllowedError) {
   expect_controlled_steps<Rosenbrock4>(3.0);  // the order of the estimate
 }
 
-// Once it has forgotten, a stepper goes on as a new one: the same steps to the bit.
+// Once it has forgotten, a stepper continues as a new one: the same steps to the bit.
 TEST(Rosenbrock4, ForgetsTheErrorsBefore) {
   Hyperbola system;
   const auto steps_from = [&](Rosenbrock4& stepper, double t, State x) {
@@ -283,8 +279,7 @@ struct WithZeroTimeSlope : Hyperbola {
   void time_slope(double, double* dx) const { std::fill_n(dx, kLanes, 0.0); }
 };
 
-// Issue 17, Build 5: a system need not say a slope by time that it leaves out: the same steps to the last
-// bit.
+// A system need not define a slope by time that is zero: the same steps to the last bit.
 TEST(Rosenbrock2, TakesNoTimeSlopeForZero) {
   const auto end = [](auto system) {
     Rosenbrock2 stepper(State(kLanes, 1e-5), 1.0);
@@ -314,12 +309,12 @@ TEST(Rosenbrock2, DampsWhatIsStiffInOneStep) {
   expect_damped<Rosenbrock2>(4.83);
 }
 
-// Issue 17, Build 2: R = (1 + (1 - 3 gamma) z + (1/2 - 3 gamma + 3 gamma^2) z^2) / (1 - gamma z)^3.
+// R = (1 + (1 - 3 gamma) z + (1/2 - 3 gamma + 3 gamma^2) z^2) / (1 - gamma z)^3.
 TEST(Rosenbrock3, DampsWhatIsStiffInOneStep) {
   expect_damped<Rosenbrock3>(2.9);
 }
 
-// Issue 17, Build 2: R as of the vibration above, with -28/3 / z.
+// R as of the vibration above, with -28/3 / z.
 TEST(Rosenbrock4, DampsWhatIsStiffInOneStep) {
   expect_damped<Rosenbrock4>(9.4);
 }

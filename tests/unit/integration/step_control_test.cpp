@@ -17,7 +17,6 @@ TEST(StepControl, AStepOfOrderTwoJustPasses) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.81), 0.85 / 0.9 * kStep);
 }
 
-// Issue 17, Build 2.
 TEST(StepControl, AStepOfOrderThreeJustPasses) {
   StepControl control(1.0, 3);
   EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 8.0), 0.85 / 2.0 * kStep);
@@ -43,7 +42,7 @@ TEST(StepControl, GrowthIsAQuarterAtMostAndEndsAtTheLongestStep) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(0.5 * kStep, 0.0), 0.625 * kStep);
 }
 
-// Issue 17, Build 2: 0.85 before^(0.2/p) / error^(0.6/p).
+// 0.85 before^(0.2/p) / error^(0.6/p).
 TEST(StepControl, ByTwoErrorsARisingOneTellsOfTheNext) {
   StepControl control(1.0, 3, StepRule::two_errors);
   control.after_acceptance(kStep, 0.5);
@@ -61,15 +60,14 @@ TEST(StepControl, ByTwoErrorsGrowthIsAHalfAtMostAndNoneAfterARefusal) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.0), kStep);
 }
 
-// Issue 17, Build 5.
 TEST(StepControl, AStepOfOrderFourJustPasses) {
   StepControl control(1.0, 4);
   EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 16.0), 0.85 / 2.0 * kStep);
   EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.6561), 0.85 / 0.9 * kStep);
 }
 
-// Issue 17, Build 5: one that a jump of the mesh stiffness cuts short has an error far below, which tells
-// nothing of the next.
+// A step that a jump of the mesh stiffness cuts short has an error far below, which is no measure for the
+// next.
 TEST(StepControl, ByTwoErrorsAStepCutShortIsPassedOver) {
   StepControl control(1.0, 4, StepRule::two_errors);
   const double asked = control.after_acceptance(kStep, 0.5);

@@ -1,4 +1,4 @@
-// Issue 14, Build 6: life with the balls' own failure, Eq. (35) of [Chen2026].
+// Life with the balls' own failure, Eq. (35) of [Chen2026].
 #include "bearing/life/ball_capacity.hpp"
 
 #include <gtest/gtest.h>

@@ -35,7 +35,7 @@ TEST(RollerCapacity, GrowsWithRowsLengthRollersAndMaterial) {
   EXPECT_NEAR(dynamic_capacity(other) / one, 1.0 / 1.1, kRoundOff);
 }
 
-// Laminae find the uneven load themselves: the reduction factor of the rating must not count twice.
+// Laminae find the uneven load themselves: the reduction factor of the rating must not be applied twice.
 TEST(RollerCapacity, ContactsDoNotDependOnLambda) {
   RollerSet ideal = rollers();
   ideal.reduction_factor = 1.0;
@@ -45,7 +45,7 @@ TEST(RollerCapacity, ContactsDoNotDependOnLambda) {
   EXPECT_NEAR(with.outer / without.outer, 1.0, kRoundOff);
 }
 
-// Where gamma goes to 0 the races differ by their factors alone:
+// For gamma to 0 the races differ by their factors alone:
 // Q_o/Q_i = 0.378/0.364 ((1 + 1.038^-4.5)/(1 + 1.038^4.5))^(2/9) = 0.378/(0.364 * 1.038).
 TEST(RollerCapacity, RacesOfAVeryLargeBearingAreAlike) {
   RollerSet flat = rollers();
@@ -54,7 +54,7 @@ TEST(RollerCapacity, RacesOfAVeryLargeBearingAreAlike) {
   EXPECT_NEAR(contact.outer / contact.inner, 0.378 / 0.364 / 1.038, kRoundOff);
 }
 
-// n laminae with 1/n of the load each live as long as one: sum (q/q_c)^4.5 does not depend on n.
+// n laminae with 1/n of the load each have the life of one: sum (q/q_c)^4.5 does not depend on n.
 TEST(RollerCapacity, LaminaeTogetherAreTheRoller) {
   constexpr double capacity = 5000.0, load = 800.0;
   for (const int n : {1, 2, 40, 200}) {

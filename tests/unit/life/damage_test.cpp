@@ -61,7 +61,7 @@ TEST(Position, BinsAreCentredOnTheirAngles) {
   }
 }
 
-// Issue 17, Build 5: whole turns are taken off without the library's floor(): the same bins to the last one.
+// Whole turns are subtracted without the library's floor(): the same bins to the last one.
 TEST(Position, IsThatOfFloor) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> angles(-400.0, 400.0);
@@ -73,7 +73,7 @@ TEST(Position, IsThatOfFloor) {
   }
 }
 
-// Issue 17, Build 5: what counts for two sums is worked out once. Sums of other bins get theirs all the same.
+// Values that two sums share are computed once. Sums of other bins get theirs all the same.
 TEST(Damage, CountsForTwoSumsAsForEach) {
   const std::vector<double> angle{0.1, 2.0, -3.0}, speed{-300.0, -310.0, -320.0}, inner{900.0, 10.0, 0.0},
       outer{950.0, 0.0, 30.0};
@@ -107,8 +107,8 @@ TEST(Damage, OfPureRollingIsThatOfTheLoadsByPosition) {
   EXPECT_LT((sums.inner.mean_load() - loads()).abs().maxCoeff(), 1000.0 * kRoundOff);
 }
 
-// A cage ahead by a hundredth: the pin sees a hundredth more rollers, the bore, which turns the same way and
-// faster, so many fewer.
+// A cage ahead by a hundredth: a hundredth more rollers pass the pin; so many fewer pass the bore, which
+// rotates the same way and faster.
 TEST(Damage, GoesWithTheSpeedOfTheCage) {
   const Bearing bearing = test::reducer_bearing();
   const DamageSums sums = damage_at([](double) { return 1.01 * rolling_speed(); });
@@ -119,9 +119,9 @@ TEST(Damage, GoesWithTheSpeedOfTheCage) {
   EXPECT_NEAR(life.outer, rolling.outer / passed, kRoundOff * rolling.outer);
 }
 
-// Rollers that go slower where they are loaded stand closer there. As many pass each bin of the pin as any
-// other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes
-// 2 pi / (c sqrt(1 - e^2)).
+// Rollers that are slower where they are loaded are closer there. As many pass each bin of the pin as any
+// other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes 2
+// pi / (c sqrt(1 - e^2)).
 TEST(Damage, CountsRollersThatStandCloser) {
   constexpr double kUneven = 0.05;
   const double c = 1.02 * rolling_speed();
@@ -144,7 +144,7 @@ TEST(Damage, CountsRollersThatStandCloser) {
   EXPECT_NEAR(bore.mean(), all, 1e-8);
 }
 
-// A bearing of `n` laminae whose rollers stand at rest at their bins for equal times, under a load that the
+// A bearing of `n` laminae whose rollers are stationary at their bins for equal times, under a load that the
 // damping has doubled.
 DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double end_displacement) {
   DamageSums sums(kBins, n);
@@ -170,7 +170,7 @@ laminae::LaminaContact contact(double crown, int n) {
   return {{1.2e10}, kLength, drops};
 }
 
-// Laminae that carry alike live as the whole contact, whatever their number.
+// Laminae with equal loads have the life of the whole contact, whatever their number.
 TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
   Bearing bearing = test::reducer_bearing();
   for (const int n : {1, 7, 40}) {
@@ -186,8 +186,8 @@ TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
   }
 }
 
-// Against the sums written out: standing pin 4.5, turning bore 4, q_c = Q_c n^(-7/9), and the damping on all
-// laminae alike.
+// Against the sums written out: stationary pin 4.5, rotating bore 4, q_c = Q_c n^(-7/9), and the damping on
+// all laminae equally.
 TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   constexpr int kLaminae = 12;
   Bearing bearing = test::reducer_bearing();
@@ -223,7 +223,8 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   EXPECT_NEAR(life.outer, 1e6 * std::pow(on_bore, -8.0 / 9.0), kRoundOff * life.outer);
   EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
   EXPECT_NE(life.inner, lamina_damage(races, 0, kEndDisplacement).life(bearing, kLambda).inner);
-  // Where the pin turns under a load that stands on the bore, the exponents change races; nothing else does.
+  // If the pin rotates under a load that is stationary relative to the bore, the exponents change races;
+  // nothing else does.
   bearing.motions = rating::rotating(Race::inner);
   const BearingLife swapped = sums.life(bearing, kLambda);
   const double rotating_pin = (pin.pow(4.5 / 4.0) / std::pow(inner_capacity, 4.5)).sum();

@@ -1,5 +1,5 @@
-// Means of the loads' powers, lamina by lamina: level rollers, whose halves bear alike, are summed by one
-// half.
+// Means of the loads' powers, lamina by lamina: aligned rollers, whose halves carry equal loads, are summed
+// by one half.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr Eigen::Index kPositions = 11;
 constexpr double kRoundOff = 1e-14;
 
-// [N]  alike from either end, and none at some of the places
+// [N]  symmetric from either end, and none at some of the positions
 Eigen::ArrayXXd aligned_loads(Eigen::Index laminae) {
   Eigen::ArrayXXd loads(laminae, kPositions);
   for (Eigen::Index k = 0; k < laminae; ++k)

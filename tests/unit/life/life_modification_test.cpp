@@ -91,8 +91,8 @@ TEST(Contamination, ByHandForALargeBearing) {
               0.0177 * std::pow(1000.0, 0.55) * (1.0 - 0.1677), kRoundOff);
 }
 
-// Issue 44, item 1: kappa above 4 counts as 4, in e_C as in a_ISO. By hand for d_m = 35.64 mm: 0.0432 *
-// 4^0.68 * 35.64^0.55 (1 - 0.9987/35.64^(1/3)) = 0.5513.
+// Kappa above 4 counts as 4, in e_C as in a_ISO. By hand for d_m = 35.64 mm: 0.0432 * 4^0.68 * 35.64^0.55 (1
+// - 0.9987/35.64^(1/3)) = 0.5513.
 TEST(Contamination, KappaAboveFourCountsAsFour) {
   const auto factor = [](double kappa, double pitch) {
     return contamination_factor(Lubrication::circulating_oil, Cleanliness::high, kappa, pitch);

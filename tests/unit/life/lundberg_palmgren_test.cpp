@@ -84,8 +84,7 @@ TEST(RaceLife, IsAMillionRevolutionsAtTheCapacity) {
   EXPECT_EQ(race_life(500.0, 0.0), std::numeric_limits<double>::infinity());
 }
 
-// Issue 45, Build 8: the exponents are those of Lundberg and Palmgren, 3 and 10/3 of points, 4 and 9/2 of
-// lines.
+// The exponents are those of Lundberg and Palmgren, 3 and 10/3 of points, 4 and 9/2 of lines.
 TEST(FatigueLaw, HasTheExponentsOfPointsAndLines) {
   EXPECT_EQ(life::point_contacts.mean_exponent(RaceMotion::rotating), 3.0);
   EXPECT_DOUBLE_EQ(life::point_contacts.mean_exponent(RaceMotion::stationary), 10.0 / 3.0);
@@ -122,8 +121,8 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
   EXPECT_NEAR(life.bearing, both, both * kRoundOff);
 }
 
-// A load that stands on a housing while the shaft turns: the exponents of both means change places, 4 and
-// 4.5, and the capacities stay.
+// A load that is fixed to a housing while the shaft rotates: the exponents of both means are interchanged, 4
+// and 4.5, and the capacities stay.
 TEST(BearingLife, SwapsNothingButTheExponentsWhereTheOtherRaceTurns) {
   Bearing bearing = simple_bearing();
   bearing.motions = rating::rotating(Race::inner);

@@ -1,4 +1,4 @@
-// Issue 44, Build 1: one set of lives for every bearing. Issue 44, items 1 and 2.
+// One set of lives for every bearing.
 #include "bearing/life/rating_lives.hpp"
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@
 namespace orbearing::bearing::rating::rating_lives_test {
 namespace {
 
-// Of any number of laminae.
+// The printed formula, for any number of laminae.
 const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
 
 constexpr double kRoundOff = 1e-12;
 constexpr double kSumsOfPowers = 1e-10;
 
-// Loads of the fifteen rollers of a planet bearing [N]; the inner race stands, the outer one rotates.
+// Loads of the fifteen rollers of a planet bearing [N]; the inner race is stationary, the outer one rotates.
 const Eigen::ArrayXd kInner{{820, 700, 420, 90, 0, 0, 0, 0, 0, 0, 0, 0, 90, 420, 700}};
 const Eigen::ArrayXd kOuter{{860, 740, 450, 110, 0, 0, 0, 0, 0, 0, 0, 0, 110, 450, 740}};
 
@@ -93,7 +93,7 @@ TEST(RatingLives, OfABallBearingByHand) {
               lives.modified_reference.outer * kRoundOff);
 }
 
-// Contacts that are not cut carry evenly: as thirty laminae that carry alike, at rest and over a motion.
+// Contacts that are not cut carry evenly: as thirty laminae with equal loads, static and over a motion.
 TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   const Bearing whole = example_bearings::planet_bearing();
   Bearing cut = whole;
@@ -108,14 +108,14 @@ TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   EXPECT_NEAR(one.reference.inner / thirty.reference.inner, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.reference.outer / thirty.reference.outer, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.modified_reference.bearing / thirty.modified_reference.bearing, 1.0, kSumsOfPowers);
-  // A cut bearing whose laminae carry alike may give the whole loads.
+  // A cut bearing whose laminae carry equal loads may give the whole loads.
   const RatingLives of_whole =
       rating_lives(bearing_rating(cut, kPrintedFormula), condition, of_rollers(kInner, even_shares(1)),
                    of_rollers(kOuter, even_shares(1)));
   EXPECT_NEAR(of_whole.reference.bearing / thirty.reference.bearing, 1.0, kSumsOfPowers);
 }
 
-// Loads that do not vary at any position: the means of a motion are those of the bearing at rest.
+// Loads that do not vary at any position: the means of a motion are those of the static bearing.
 TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 12;
@@ -131,7 +131,7 @@ TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
   EXPECT_NEAR(motion.modified_reference.bearing / rest.modified_reference.bearing, 1.0, kSumsOfPowers);
 }
 
-// L10 goes with P^(-10/3), L10r with the load's fourth power: (9/2)(8/9) = 4.
+// L10 is proportional to P^(-10/3), L10r to the load's fourth power: (9/2)(8/9) = 4.
 TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   const Bearing bearing = example_bearings::planet_bearing();
   const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
@@ -150,13 +150,13 @@ TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   EXPECT_NEAR(of_balls(1.0).reference.bearing / of_balls(2.0).reference.bearing, 8.0, 1e-8);
 }
 
-// The part of a lamina in P_k of (2): with both races alike and no stress riser the load that all laminae
-// show is 0.323 Z n q, whatever the weights of the races.
+// The part of a lamina in P_k of (2): with both races equal and no stress riser the load from all laminae is
+// 0.323 Z n q, whatever the weights of the races.
 TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 3;
   const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
-  // The middle lamina alone is loaded, where f_k = 1, and alike all round.
+  // Only the middle lamina is loaded, where f_k = 1, and equally all round.
   const Eigen::ArrayXd middle{{0.0, 100.0, 0.0}};
   const ElementLoads loads = of_rollers(Eigen::ArrayXd::Ones(15), middle);
   const RatingLives lives = rating_lives(rating, under(1.0, OilCondition{1.0, 0.5}), loads, loads);
@@ -165,7 +165,7 @@ TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   EXPECT_NEAR(lives.reference_modification / expected, 1.0, kSumsOfPowers);
 }
 
-// Of two rows P_k has the factor 2, where their C has 2^(7/9): under the same loads of all laminae the
+// For two rows P_k has the factor 2, where their C has 2^(7/9): under the same loads of all laminae the
 // bearing bears twice the load of one row, and the share of a lamina in it is half.
 TEST(RatingLives, LaminaOfTwoRowsStandsForTheLoadOfBoth) {
   Bearing bearing = example_bearings::planet_bearing();

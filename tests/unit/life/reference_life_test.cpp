@@ -11,7 +11,7 @@
 namespace orbearing::bearing::rating::reference_life_test {
 namespace {
 
-// Of any number of laminae.
+// The printed formula, for any number of laminae.
 const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
 
 constexpr double kRoundOff = 1e-12;
@@ -104,7 +104,8 @@ TEST(ReferenceLife, GoesByMotionAndNotByName) {
   EXPECT_NE(one.bearing, lamina_life(alike, a, b, rotating(Race::outer)).bearing);
 }
 
-// The bearing says which race turns: 3 and 10/3 of balls, 4 and 4.5 of rollers change races, nothing else.
+// The bearing states which race rotates: 3 and 10/3 of balls, 4 and 4.5 of rollers change races, nothing
+// else.
 TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
   Bearing of_balls{.elements = Balls{.count = 7, .diameter = 11.5e-3}, .pitch_diameter = 43.5e-3};
   Bearing of_rollers{

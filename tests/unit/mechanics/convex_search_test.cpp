@@ -1,4 +1,4 @@
-// The one search of all static balances. Issue 13, Build 5.
+// The one search of all static equilibria.
 #include "mechanics/convex_search.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 
-// A linear spring is balanced in one step: u = K^-1 F.
+// A linear spring is in equilibrium after one step: u = K^-1 F.
 TEST(ConvexSearch, ALinearSpringTakesOneStep) {
   const Eigen::Matrix2d stiffness = (Eigen::Matrix2d() << 3e6, 1e6, 1e6, 2e6).finished();
   const Eigen::Vector2d load(300.0, -100.0);

@@ -90,7 +90,7 @@ TEST(ElasticRing, CouplesMomentAndShearUnderASmallToothAsAHalfPlaneDoes) {
 
 // The ring solves the problem behind the polynomials. Below a ratio of 2 the fit goes astray, not the ring.
 TEST(ElasticRing, AgreesWithThePolynomialsInTheirRange) {
-  constexpr double of_the_whole = 0.03;  // what this project asks of a foundation
+  constexpr double of_the_whole = 0.03;  // required of a foundation
   constexpr double of_one_term = 0.1;    // terms of little weight are fitted less well
   const mechanics::Material steel;
   for (const double half_angle : {0.03, 0.05, 0.08, 0.11})

@@ -1,4 +1,4 @@
-// Issue 16, Build 3: stiffness of helical meshes, by slices and by the standard.
+// Stiffness of helical meshes, by slices and by the standard.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ GearPair helical_pair(int first, int second, double helix, double face_width = 2
   return pair;
 }
 
-// Face width at which the overlap ratio is as asked.
+// Face width for the overlap ratio `overlap`.
 double width_for(double overlap, double module, double helix) {
   return overlap * pi * module / std::sin(helix);
 }
@@ -52,7 +52,8 @@ TEST(HelicalMesh, IsTheLimitOfItsSlices) {
   EXPECT_NEAR(mesh.curve.mean() / section.mean(), 1.0, 1e-7);  // that of the table
 }
 
-// What varies over the period falls as the overlap grows, and is gone where the face is a whole axial pitch.
+// The variation over the period decreases as the overlap grows, and is zero where the face is a whole axial
+// pitch.
 TEST(HelicalMesh, VariesLessTheLargerItsOverlap) {
   const double helix = 15.0 * degree;
   double before = swing(mesh_stiffness(meshing(helical_pair(62, 62, helix, 1e-9))));
@@ -75,13 +76,13 @@ TEST(HelicalMesh, GoesToTheSpurMesh) {
     const MeshStiffness slight = mesh_stiffness(meshing(helical_pair(62, 62, helix)));
     EXPECT_NEAR(slight.contact_ratio / spur.contact_ratio, 1.0, 1e-9);
     EXPECT_NEAR(slight.curve.mean() / spur.curve.mean(), 1.0, 1e-9) << helix;
-    for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.95})  // away from the ramps in place of the jumps
+    for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.95})  // away from the ramps instead of the jumps
       EXPECT_NEAR(slight.curve.value(fraction) / spur.curve.value(fraction), 1.0, 1e-9) << helix;
   }
 }
 
-// Of a gear with ever more teeth the tooth becomes that of a rack, which is a prism: under a load along its
-// whole length it gives way as its normal section does, c_n per length. Its length is b/cos(helix), the force
+// The tooth of a gear with ever more teeth becomes that of a rack, which is a prism: under a load along its
+// whole length it deflects as its normal section does, c_n per length. Its length is b/cos(helix), the force
 // F/cos(base helix), and the displacement in the transverse section that along the normal over cos(base
 // helix).
 TEST(HelicalMesh, OfARackIsThatOfItsNormalSection) {
@@ -126,11 +127,11 @@ TEST(HelicalMesh, HasTheHertzianLineOfItsNormalSection) {
               hertz_compliance(line, {}) / std::pow(std::cos(base), 2), 1e-18);
 }
 
-// The standard knows no bore and means gears of one piece; a bore changes the stiffness of both in the same
-// way at any helix. Half the root circle is the default of a sun.
+// The standard has no bore and means gears of one piece; a bore changes the stiffness of both in the same way
+// at any helix. Half the root circle is the default of a sun.
 constexpr double kBore = 0.5;
 
-// "Done when": the mean against ISO 6336 with helix within 10 %.
+// The mean against ISO 6336 with helix within 10 %.
 TEST(HelicalMesh, AgreesWithTheStandardOnItsMean) {
   for (const auto& [first, second] : {std::pair{62, 62}, {30, 40}, {21, 39}}) {
     for (const double angle : {0.0, 7.5, 15.0, 25.0, 30.0}) {

@@ -1,4 +1,4 @@
-// Issue 48, Build 3: a ring and the gear inside it as a pair of their own.
+// A ring and the gear inside it as a pair of their own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ TEST(InternalPair, LeavesNoBacklash) {
   const double thickness =
       2.0 * inside * half_thickness_angle(g.inside, inside) + 2.0 * ring * half_thickness_angle(g.ring, ring);
   EXPECT_NEAR(thickness, 2.0 * std::numbers::pi * inside / 20.0, 1e-14);
-  pair.shift = {0.3, 0.3};  // alike: the reference distance
+  pair.shift = {0.3, 0.3};  // equal: the reference distance
   EXPECT_NEAR(internal_mesh(pair).centre_distance, 2e-3 * 31.0 / 2.0, 1e-15);
 }
 

@@ -1,5 +1,4 @@
-// Teeth under load: gaps beside the path of contact, force by deflection and place, transmission error.
-// Issue 16, Build 4.
+// Teeth under load: gaps beside the path of contact, force by deflection and position, transmission error.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -101,7 +100,7 @@ TEST(FlankGap, IsTheLeastOfAllPointsOfBothFlanks) {
   }
 }
 
-// Issue 16: "under 18 um of deflection the tip corner touches 0.11 of a period early".
+// Under 18 um of deflection the tip corner touches 0.11 of a period early.
 TEST(FlankGap, IsEighteenMicrometresATenthOfAPeriodBeforeTheSunMeshOfTheReducer) {
   const MeshingGears gears = meshes_of(reducer()).sun_gears;
   const double position = contact_begin(gears) - 0.11 * contact_direction(gears) * gears.base_pitch;
@@ -149,7 +148,7 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
     }
 }
 
-// Against a search that knows nothing of the law: of all deflections of the teeth the one of least energy.
+// Against a search that is independent of the law: of all deflections of the teeth the one of least energy.
 TEST(LoadedTeeth, EnergyIsTheLeastOneOfAllDeflections) {
   const LoadedTeeth teeth = tooth_pairs(meshing(example_pair(62, 62)), modified(), 5).teeth;
   for (const double position : {0.1, 0.5, 0.95})
@@ -198,8 +197,8 @@ TEST(LoadedTeeth, AreAsStiffAsThePairsInThePathUnderALightLoad) {
   }
 }
 
-// One pair by itself is as stiff as the step-like mesh has it; two of 62/62 are up to a fifth softer
-// (Issue 16: "double contact up to 20 % too stiff at 62/62, 3 % at the sun").
+// One pair by itself is as stiff as in the step-like mesh; two of 62/62 are up to a fifth softer (the
+// step-like mesh is too stiff by up to 20 % in double contact at 62/62, by 3 % at the sun).
 TEST(LoadedTeeth, CountTheBodiesOnceForAllPairs) {
   const auto too_stiff = [](const MeshingGears& gears, double position) {
     return mesh_stiffness_at(gears, position) / tooth_pairs(gears).teeth.at(position, 1e-12).stiffness - 1.0;
@@ -216,7 +215,7 @@ TEST(LoadedTeeth, CountTheBodiesOnceForAllPairs) {
   EXPECT_NEAR(most_sun, 0.03, 0.015);
 }
 
-// A ring sheared between its edges, by quadrature in place of the closed form.
+// A ring sheared between its edges, by quadrature instead of the closed form.
 TEST(LoadedTeeth, TorsionOfABodyIsThatOfAShearedRing) {
   for (const MeshGear& gear : {meshing(example_pair(62, 62)).first, meshes_of(reducer()).ring_gears.first}) {
     const double base = base_radius(gear), width = gear.face_width, modulus = gear.material.shear_modulus();
@@ -233,7 +232,7 @@ TEST(LoadedTeeth, TorsionOfABodyIsThatOfAShearedRing) {
   }
 }
 
-// Issue 44, item 16: under 900 N a spring of 900 N / (5 + 2 cos f + 0.5 sin 3 f) um approaches by that sum.
+// Under 900 N a spring of 900 N / (5 + 2 cos f + 0.5 sin 3 f) um approaches by that sum.
 TEST(TransmissionError, HasTheAmplitudesOfItsHarmonics) {
   constexpr double turn = 2.0 * 3.14159265358979323846, force = 900.0;
   const PeriodicCurve spring(
@@ -283,8 +282,8 @@ TEST(TransmissionError, WithoutLoadIsThatOfTheFlanks) {
   }
 }
 
-// Where a pair comes, the light load has a step of the stiffness, a heavy one a slope over the part of the
-// period that its deflection closes the gaps of.
+// At the beginning of contact of a pair, the light load has a step of the stiffness, a heavy one a slope over
+// the part of the period that its deflection closes the gaps of.
 TEST(TransmissionError, IsSmoothUnderAHeavyLoad) {
   const LoadedTeeth teeth = tooth_pairs(meshing(example_pair(62, 62))).teeth;
   const auto steepest = [&](double force) {  // change of the error over 1/720 of a period, of its whole swing
@@ -350,7 +349,7 @@ TEST(ToothPairs, TablesHoldTheGeometryBetweenTheirSamples) {
                          gear_compliance(gears.second, touch.second).sum() - teeth.shared();
       stiffness = std::max(stiffness, std::abs(teeth.stiffness().value(share) * all - 1.0));
     }
-    EXPECT_LT(largest, 20e-9);  // [m]  a thousandth of usual deflections
+    EXPECT_LT(largest, 20e-9);  // [m]  a thousandth of typical deflections
     EXPECT_LT(stiffness, 1e-3);
   }
 }
@@ -373,7 +372,7 @@ TEST(ToothPairs, ReliefGrowsTowardsTheTip) {
   }
 }
 
-// Where roots are as deep as the rack cuts them no tip reaches a fillet. Short planet teeth on shallow roots
+// If roots are as deep as the rack cuts them no tip reaches a fillet. Short planet teeth on shallow roots
 // leave the ring's tip no room: under load it touches their trochoid, the sooner the less clearance there is.
 TEST(EdgeWarnings, TellWhereATipReachesAFillet) {
   const auto teeth_of = [](const PlanetarySet& one) { return set_teeth(one, meshes_of(one)); };

@@ -19,7 +19,7 @@ TEST(WholePeriodsOff, TakesRoundOffForAWholePeriod) {
   EXPECT_NEAR(whole_periods_off(-0.25), 0.75, round_off);
 }
 
-// 37 teeth, a quarter of a turn: 9 1/4 teeth pass before the next planet stands as the first did.
+// 37 teeth, a quarter of a turn: 9 1/4 teeth pass before the next planet is in the position of the first.
 TEST(SunMeshLag, IsTheTeethBetweenThePlanets) {
   EXPECT_NEAR(sun_mesh_lag(37, pi / 2.0, {}), 0.25, round_off);
   EXPECT_NEAR(sun_mesh_lag(37, pi / 2.0, {.sun_anticlockwise = false}), 0.75, round_off);

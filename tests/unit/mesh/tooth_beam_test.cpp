@@ -41,8 +41,8 @@ TEST(BeamCompliance, OfAForceWhoseLineCutsTheAxisBeyondTheEndBendsTheMore) {
   EXPECT_NEAR(beam_compliance({block}, 0.0, beyond, width, steel).bending, closed, round_off * closed);
 }
 
-// The same three integrals by the trapezoidal rule over a drawn flank, from the root up to the contact: an
-// outline, a contact point and a direction are all it knows.
+// The same three integrals by the trapezoidal rule over a drawn flank, from the root up to the contact: from
+// an outline, a contact point and a direction alone.
 template <typename HalfAngle>
 BeamCompliance drawn(const HalfAngle& half_angle, double from, double to, const Eigen::Vector2d& force,
                      const Eigen::Vector2d& contact, double width, const mechanics::Material& material) {

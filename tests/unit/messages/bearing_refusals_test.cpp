@@ -1,5 +1,4 @@
-// Arguments that the libraries of bearings refuse (issue 44, Build 4 b); words and numbers in
-// tests/messages.txt.
+// Arguments that the libraries of bearings refuse; words and numbers in tests/messages.txt.
 #include <gtest/gtest.h>
 
 #include <limits>

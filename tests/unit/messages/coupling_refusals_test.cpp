@@ -1,5 +1,4 @@
-// Arguments that gears and bearings in motion refuse (issue 44, Build 4 b); words and numbers in
-// tests/messages.txt.
+// Arguments that gears and bearings in motion refuse; words and numbers in tests/messages.txt.
 #include <gtest/gtest.h>
 
 #include <limits>

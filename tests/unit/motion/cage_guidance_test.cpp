@@ -24,7 +24,7 @@ FilmResistance<double> by_quadrature(double eccentricity, double direction) {
   return sum;
 }
 
-// Issue 17, Build 2: in rational terms and one arc tangent.
+// In rational terms and one arc tangent.
 TEST(CageGuidance, ClosedFormIsTheIntegralOverTheHalfFilm) {
   for (double eccentricity : {0.0, 0.1, 0.6, 0.95})
     for (double direction = -3.1; direction < 3.2; direction += 0.4) {
@@ -111,8 +111,8 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
   }
 }
 
-// As printed the film knows neither whirl nor squeeze: right for a cage that stays where it is, wrong for one
-// that moves.
+// As printed the film has neither whirl nor squeeze: right for a cage with a fixed centre, wrong for a moving
+// one.
 TEST(CageGuidance, PrintedFilmAgreesForACageAtRestAndMissesWhirl) {
   const LandLaw published = land(GuidanceFilm::literature_variant);
   const Vector2 position(0.3 * published.clearance, 0.4 * published.clearance);

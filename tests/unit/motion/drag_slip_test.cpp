@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFound = 1e-6;  // [-]  to which the search comes
 
-// A bore that turns about a pin that stands, the cage on a land of the pin or on none.
+// A bore that rotates about a stationary pin, the cage on a land of the pin or on none.
 BearingModel lightly_loaded(double oil_share, bool land = false, bool rolling_resistance = false) {
   Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
@@ -27,11 +27,11 @@ BearingModel lightly_loaded(double oil_share, bool land = false, bool rolling_re
   point.carrier = {};
   BearingModel model = bearing_model(bearing, point, parameters);
   model.spin_drag.coefficient = 0.0;
-  model.frame.own_orbit = 0.0;  // loads at rest, whatever the slip
+  model.frame.own_orbit = 0.0;  // quasi-static loads, whatever the slip
   return model;
 }
 
-// All rollers alike, `total` [N] on each race.
+// All rollers equal, `total` [N] on each race.
 LoadsOfOrbit even(double inner, double outer) {
   return {Eigen::ArrayXd::Constant(60, inner / 15.0), Eigen::ArrayXd::Constant(60, outer / 15.0)};
 }
@@ -147,7 +147,7 @@ TEST(DragSlip, DoesNotDependOnTheSenseOfRotation) {
   }
 }
 
-// A land of the bore drives the cage: in either sense a cage that stands is driven as much.
+// A land of the bore drives the cage: in either sense a stationary cage is driven as much.
 TEST(DragSlip, ALandOfTheBoreDrivesInEitherSense) {
   Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();

@@ -68,7 +68,7 @@ class DrivenBore : public testing::TestWithParam<Variant> {
 // F = m (a - frame) - load.
 TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
   const BearingModel model = bearing_model(bearing, point, parameters);
-  // That of snapshots: other instruction sets round loads otherwise.
+  // The instruction set of snapshots: others round loads otherwise.
   vectorised::VectorBearing equations(model, mechanics::InstructionSet::baseline);
   constexpr double kTime = 1e-3;
   for (int i = 0; i < kStates; ++i) {
@@ -94,11 +94,11 @@ TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
   }
 }
 
-// What bore and pin put in, with all other inputs, is stored or lost: the slope of the energy along the
+// The work at bore and pin, with all other inputs, is stored or lost: the slope of the energy along the
 // motion.
 TEST_P(DrivenBore, PowerAtTheBoreIsStoredOrLost) {
   BearingModel model = bearing_model(bearing, point, parameters);
-  model.bore_mass = 0.0;  // its inertia belongs to whoever moves it
+  model.bore_mass = 0.0;  // its inertia belongs to the driving system
   vectorised::VectorBearing equations(model);
   int kinked = 0;
   for (int i = 0; i < kStates; ++i) {
@@ -169,8 +169,8 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
   }
 }
 
-// Issue 18, Build 6: the bore too in balance. Where it is put there, the pin alone finds the same balance, and the
-// rollers press against the load.
+// Equilibrium of the bore too: with the bore in the position found, the pin alone finds the same equilibrium,
+// and the rollers balance the load.
 TEST_P(DrivenBore, FindsThePositionUnderALoad) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   for (const Vector2& load : {Vector2(100.0, 1000.0), Vector2(-3000.0, 20.0), Vector2(0.0, -20000.0)}) {
@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, DrivenBore,
                                          Variant{"film", true, false, false},
                                          Variant{"inner_guidance", true, true, false},
                                          Variant{"rough", true, false, true},
-                                         // Issue 16, Build 1: an elastic rim.
+                                         // An elastic rim.
                                          Variant{"rim", true, false, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 

@@ -10,7 +10,7 @@ namespace {
 TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
   for (const StateLayout& layout :
        {StateLayout{4}, StateLayout{.rollers = 4, .followed = 1, .tilting = true, .waves = 5},
-        StateLayout{.rollers = 3, .tilting = true, .caged = false}}) {  // Issue 16, Build 8
+        StateLayout{.rollers = 3, .tilting = true, .caged = false}}) {
     Eigen::VectorXd x =
         Eigen::VectorXd::LinSpaced(layout.size(), 0.0, static_cast<double>(layout.size() - 1));
     const ConstStateViews state = state_views(layout, x.data());

@@ -27,7 +27,7 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   Bearing cage_of_nothing = bearing;
   cage_of_nothing.cage.density = 0.0;
   EXPECT_THAT(message(cage_of_nothing, parameters), HasSubstr("mass of the cage"));
-  // Issue 16, Build 8: without a cage rollers touch one another, and must have room.
+  // Without a cage rollers touch one another, and must have room.
   Bearing crowded = bearing;
   crowded.cage = {};
   crowded.rollers().count = 21;
@@ -51,8 +51,8 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   EXPECT_THAT(message(bearing, not_a_number), HasSubstr("pocket clearance"));
 }
 
-// Issue 19, Build 6. Two rollers that touch stand (d_1 + d_2)/2 apart, so that rollers which are all larger
-// by as much as is left over between neighbours just go in.
+// Two rollers in contact are (d_1 + d_2)/2 apart, so that rollers which are all larger by the space left
+// between neighbours just fit.
 TEST(BearingModel, RefusesLargerRollersThanGoIn) {
   Bearing bearing = test::full_complement_bearing();  // 3 um are left between two
   const auto with_deviation = [&](double deviation) {
@@ -66,7 +66,7 @@ TEST(BearingModel, RefusesLargerRollersThanGoIn) {
   EXPECT_EQ(message(bearing, test::reducer_parameters()), "accepted");
 }
 
-// Issue 19, Build 6: a hollow cylinder from each race to its seat.
+// A hollow cylinder from each race to its seat.
 TEST(BearingModel, WhereNoMassIsStatedTheBoreHasThatOfTheOuterRing) {
   const Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
@@ -94,7 +94,7 @@ TEST(BearingModel, RippleAddsItsHarmonics) {
   EXPECT_LT((bore_load_slope(model, 0.003) - difference).norm(), 1e-6 * difference.norm());
 }
 
-// The run begins in balance: the quasi-static loads are those the equations see, film or not.
+// The run begins in equilibrium: the quasi-static loads are those of the equations, film or not.
 TEST(InitialState, CarriesTheQuasiStaticLoads) {
   for (bool film : {false, true}) {
     const Bearing bearing = test::reducer_bearing();

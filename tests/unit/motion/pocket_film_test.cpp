@@ -156,7 +156,7 @@ PocketForces pocket_forces(const BodyMotion& roller, const BodyMotion& cage, con
   return all;
 }
 
-// What both bodies lose in power is what is dissipated and stored, and moments cancel, in any motion.
+// The power loss of both bodies is dissipated and stored, and moments cancel, in any motion.
 TEST(PocketFilm, PowerAndMomentsBalanceOnRollerAndCage) {
   const Vector2 outward(std::cos(0.3), std::sin(0.3));
   for (double offset : {0.0, 0.03e-3, -0.0495e-3, 0.0499e-3})

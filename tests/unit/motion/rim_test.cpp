@@ -1,4 +1,4 @@
-// Issue 19, Build 6: which waves of a race that bends move.
+// Waves of a bending race that are in motion.
 #include "bearing/motion/model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What can be read off a bearing, where plane kinematics say it.
+// Quantities of a bearing that follow from plane kinematics.
 #include "bearing/motion/snapshot.hpp"
 
 #include <gtest/gtest.h>

@@ -29,7 +29,7 @@ Snapshot sample_at(double first_angle, double first_load, double second_load, do
   return sample;
 }
 
-// Issue 19, Build 6: each loss goes to its own mean, the parts of one instant are not those of another.
+// Each loss goes to its own mean, the parts of one instant are not those of another.
 TEST(PowerLoss, MeanOfEachPartIsItsOwn) {
   const PowerLoss first{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0},
       second{3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0, 17.0, 19.0};
@@ -64,7 +64,7 @@ TEST(Statistics, MeansOfAHandMadeWindow) {
   EXPECT_EQ(means.inner.least_film, 2e-7) << "of the most loaded roller";
   EXPECT_NEAR(means.outer.mean_load[0], 3.5, kRoundOff);
   EXPECT_NEAR(means.outer.mean_load[kPositions / 2], 1.0, kRoundOff);
-  // Of 2 samples x 2 rollers x 8 bins, 32 in all, two fell on the first bin.
+  // Two of 2 samples x 2 rollers x 8 bins, 32 in all, fell on the first bin.
   EXPECT_NEAR(means.outer.passages[0], 2.0 * kPositions / 4.0, kRoundOff);
   EXPECT_NEAR(means.outer.damage[0], (81.0 + 256.0) * kPositions / 4.0, 1e3 * kRoundOff);
 }

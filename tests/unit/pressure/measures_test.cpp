@@ -120,9 +120,9 @@ TEST(FatiguePressure, OfANarrowEdgeByHand) {
   EXPECT_NEAR(fatigue_pressures(pressure_of(grid, pressure, 0.1), 40)(0), 1.0, 1e-12);
 }
 
-// Issue 44, item 4. p = s^-lambda at a distance s from a sharp end: the integral of p^9 has no limit, since 9 lambda is
-// above 1, and grows with finer laminae by h^(1 - 9 lambda). Averaged over w it is at most w^-lambda/(1 - lambda), at the
-// end, and its damage has a limit.
+// p = s^-lambda at a distance s from a sharp end: the integral of p^9 has no limit, since 9 lambda is above
+// 1, and grows with finer laminae by h^(1 - 9 lambda). Averaged over w it is at most w^-lambda/(1 - lambda),
+// at the end, and its damage has a limit.
 TEST(FatiguePressure, OfASharpEndHasALimit) {
   constexpr double lambda = 0.255, w = 0.03;
   const auto sharp = [&](int elements) {
@@ -151,7 +151,7 @@ TEST(Elasticity, TwoEqualBodiesHaveHalfTheModulusOfOne) {
 }
 
 TEST(Elasticity, MirrorFactorOfSteelByHand) {
-  // 1.29 - (0.08 - 0.15)/0.7 for the roller; the race goes on, so half of it.
+  // 1.29 - (0.08 - 0.15)/0.7 for the roller; the race continues, so half of it.
   EXPECT_NEAR(mirror_factor(EndSurface::corrected, 0.3), 1.39, kRoundOff);
   EXPECT_NEAR(mirror_factor(reducer_roller()), 0.695, kRoundOff);
   EXPECT_EQ(mirror_factor(reducer_roller(EndSurface::continuing)), 0.0);

@@ -43,7 +43,7 @@ TEST(RollerProfile, ChamferIsALineFromItsEdge) {
 }
 
 TEST(RollerProfile, CircularCrownIsACircleThroughMiddleAndEnds) {
-  const double deep = 0.5e-3;  // deep, so that a parabola would be seen
+  const double deep = 0.5e-3;  // deep, so that a parabola would be visible
   const Profile crown = CircularCrown{kLength, deep};
   const double radius = (kHalf * kHalf + deep * deep) / (2.0 * deep);
   EXPECT_NEAR(drop(crown, kHalf), deep, deep * kRoundOff);

@@ -45,7 +45,7 @@ TEST(Repository, FoldersExplainThemselves) {
   }
 }
 
-// ctest runs them by file: what stands elsewhere, in a header say, would never run.
+// ctest runs them by file: a test elsewhere, in a header say, would never run.
 TEST(Repository, EveryTestStandsInAFileThatCtestRuns) {
   static const std::regex file(R"(.*/tests/(unit|identities|literature|regression)/.*_test\.cpp)");
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
@@ -56,7 +56,7 @@ TEST(Repository, EveryTestStandsInAFileThatCtestRuns) {
   }
 }
 
-// Issue 44, item 15: a file without a test is a red test of ctest where what it needs is not installed.
+// A file without a test is a red test of ctest where its dependency is not installed.
 TEST(Repository, EveryFileThatCtestRunsHoldsATest) {
   std::set<std::string> filled;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
@@ -74,7 +74,7 @@ TEST(Repository, EveryFileThatCtestRunsHoldsATest) {
   }
 }
 
-// Issue 44, item 15: how long something takes differs from machine to machine; benchmarks/ measure it.
+// Computing times differ from machine to machine; benchmarks/ measure them.
 TEST(Repository, NoTestBoundsSeconds) {
   static const std::regex clock(
       "steady_clock|system_clock|std::clock\\(|(assert|EXPECT_|ASSERT_)(Less|Greater|L|G)[A-Za-z]*\\([^\\n]*"

@@ -1,4 +1,4 @@
-// The files of the project as its tests see them.
+// The files of the project for its tests.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Issue 16, Build 1: influence functions of a planet's rim.
+// Influence functions of a planet's rim.
 #include "gearset/rim/rim_influence.hpp"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ TEST(RimInfluence, FallsWithTheModulus) {
   EXPECT_LT((1e6 * rigid.race - soft.race).abs().maxCoeff(), 1e-9 * soft.race.maxCoeff());
 }
 
-// A single narrow bearing under a wide face: no wave gives way against its force.
+// A single narrow bearing under a wide face: no wave has a negative compliance.
 TEST(RimInfluence, OfANarrowRingIsPositive) {
   Planet planet;
   planet.section.ring_width = 0.3 * kRingWidth;

@@ -1,4 +1,4 @@
-// Issue 16, Build 1: the body behind the influence functions, against closed forms of rings.
+// The body behind the influence functions, against closed forms of rings.
 #include "gearset/rim/sector_body.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(SectorBody, CutOfAPlainRingDoesNotMatter) {
   }
 }
 
-// Waves of high order feel the half-space alone: 2/(pi E' b n).
+// Waves of high order depend on the half-space alone: 2/(pi E' b n).
 TEST(SectorBody, ShortWavesFeelTheHalfSpace) {
   const SectorBody body(plain_sector(0.02, 0.027, 12, 12, 10), kSteel, 12);
   const int order = 24;

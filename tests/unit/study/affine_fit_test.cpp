@@ -26,7 +26,7 @@ AffineBearing planted_law() {
   return law;
 }
 
-// What one would have thought before.
+// Expected law before the fit.
 AffineBearing expected_law() {
   return {.stiffness = 2.3e8 * Matrix2d::Identity(), .damping = 200.0 * Matrix2d::Identity()};
 }
@@ -67,7 +67,7 @@ TEST(AffineFit, ReturnsALinearBearingToRoundOff) {
   AffineBearing stiffer = planted_law();
   stiffer.stiffness *= 1.02;
   EXPECT_NEAR(fit.law(expected_law(), stiffer).stiffness_change, 0.02, round_off);
-  // Issue 44, item 16: each change is that of its own law.
+  // Each change is that of its own law.
   EXPECT_LT(fit.law(expected_law(), stiffer).damping_change, round_off);
   AffineBearing damped = planted_law();
   damped.damping *= 1.05;
@@ -75,8 +75,8 @@ TEST(AffineFit, ReturnsALinearBearingToRoundOff) {
   EXPECT_LT(fit.law(expected_law(), damped).stiffness_change, round_off);
 }
 
-// Rollers add forces of their own, and the bore's mass answers them with motion that is out of all proportion
-// to the law; a fit of forces over motion, sample by sample, finds something between the law and that mass.
+// Rollers add forces of their own, to which the bore's mass responds with motion out of all proportion to the
+// law; a fit of forces over motion, sample by sample, finds something between the law and that mass.
 TEST(AffineFit, DoesNotTakeTheBoresMassForTheBearing) {
   const double mass = 0.04, own = 0.37 * kMeshFrequency, shake = 60.0;  // [kg], [rad/s], [N]
   const AffineBearing law = planted_law();
@@ -109,7 +109,7 @@ TEST(AffineFit, DoesNotTakeTheBoresMassForTheBearing) {
   EXPECT_GT((over * square.inverse() - law.stiffness).norm(), 4.0 * left * law.stiffness.norm());
 }
 
-// Motion along a line says nothing of forces under motion across it: what was expected stands.
+// Motion along a line gives no information on forces under motion across it: the expected law remains.
 TEST(AffineFit, KeepsWhatIsExpectedWhereNothingMoves) {
   AffineFit fit(kMeshFrequency, 1);
   const AffineBearing law = planted_law();
@@ -142,7 +142,7 @@ void swing(AffineFit& fit, const AffineBearing& law, const Vector2d& a) {
   }
 }
 
-// Issue 17, Build 3: fewer runs where each adds to what is known.
+// Two motions together give what neither shows: fewer runs are sufficient.
 TEST(AffineFit, KnowsFromTwoMotionsWhatNoneOfThemShows) {
   AffineFit fit(kMeshFrequency, 1);
   const AffineBearing law = planted_law();

@@ -1,4 +1,4 @@
-// Issue 50, Build 2: what a motion takes, known before it is computed.
+// Computing time of a motion, estimated before it is computed.
 #include "coupling/study/motion_work.hpp"
 
 #include <gtest/gtest.h>
@@ -157,7 +157,7 @@ TEST(MotionWork, StepsTakeTheTimeOfTheirParts) {
   EXPECT_NEAR(work_of(set).step_seconds / (15.0 * (1.1e-6 + 24 * 0.166e-6)), 1.0, 1e-12);
 }
 
-// Of the roller between its races, and of the pocket that it strikes.
+// Frequency of the roller between its races, and of the pocket that it strikes.
 TEST(MotionWork, StepsOfBouncingRollersAreThoseOfTheirFrequency) {
   NamedSet set = geared_at(800.0);
   const double mass = set.geometry.bearing.element_mass;

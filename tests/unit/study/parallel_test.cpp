@@ -43,8 +43,8 @@ TEST(InParallel, WhatIsThrownIsPassedOn) {
                std::runtime_error);
 }
 
-// Issue 18, Build 1: what was asked to stop from any thread throws, delivers what is finished and nothing else,
-// and begins nothing until the wish is taken back.
+// A computation with a stop request from any thread throws, delivers finished points and nothing else, and
+// begins nothing until the request is cleared.
 TEST(ComputePoints, AskedToStopTheyDeliverWhatIsFinished) {
   std::vector<std::size_t> indices(100), delivered;
   for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i;

@@ -46,7 +46,7 @@ TablePoint random_point(std::size_t inputs, std::uint64_t number) {
 }
 
 struct Missed {
-  double largest = 0.0;        // [-]  error of what the table answers within the bound
+  double largest = 0.0;        // [-]  error of the table's answers within the bound
   double within_stated = 0.0;  // share of it within the stated error
   double answered = 0.0;       // share of all points
 };
@@ -129,7 +129,7 @@ TEST(ResultTable, BoundHoldsOnRandomPoints) {
   }
 }
 
-// What is near the kink is left to the program until cells are small enough, and no answer hides it.
+// Points near the kink are left to the program until cells are small enough, and no answer hides it.
 TEST(ResultTable, KinkShowsInTheMeasuredError) {
   double before = -1.0;
   for (const std::size_t most : {200U, 2000U, 20000U}) {
@@ -200,7 +200,7 @@ TEST(ResultTable, AnswersNothingBeyondTheBoxNorWherePointsFail) {
   EXPECT_NEAR(table.table.at(sound, 0).value, smooth(sound), 0.01);
 }
 
-// Results that scatter: no answer claims less, and the terms do not follow the scatter for ever.
+// Results with scatter: no answer states a smaller error, and the terms do not fit the scatter without end.
 TEST(ResultTable, StatesTheScatterOfItsValues) {
   constexpr double scatter = 2e-3;
   const Function scattering = [](const TablePoint& x) {

@@ -1,5 +1,4 @@
-// Issue 14, Build 2 and 5: drives of the rings, when a slip has settled, what a run of balls refuses and
-// keeps.
+// Drives of the rings, settling of a slip, refusals and means of a run of balls.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,8 +28,9 @@ TEST(RingDrive, SpeedsUpThenKeepsItsSpeed) {
   EXPECT_DOUBLE_EQ(RingDrive::steady(-3.0).angle_at(2.0), -6.0);
 }
 
-// Issue 44, item 13. A signal with known answer: 0.01 + exp(-t/tau) cos(2 pi f t), sampled every 10 us. It last leaves
-// 0.01 +- 0.05 between the envelope's crossing, tau ln 20, and half a period before: at an extreme of the cosine.
+// A signal with known settling time: 0.01 + exp(-t/tau) cos(2 pi f t), sampled every 10 us. It last leaves
+// 0.01 +- 0.05 between the envelope's crossing, tau ln 20, and half a period before: at an extreme of the
+// cosine.
 SlipHistory decaying(double tau, double frequency, double end, double ripple = 0.0) {
   SlipHistory history;
   const long samples = std::lround(end / 10e-6);
@@ -47,7 +47,8 @@ TEST(SettlingTime, IsWhereADecayingSlipLastLeavesItsBand) {
   constexpr double tau = 1e-3, sampled = 2e-8;  // [s]; straight lines between samples: h^2/8 of the curvature
   EXPECT_NEAR(*settling_time(decaying(tau, 0.0, 0.06), 0.06, 0.05), tau * std::log(20.0), sampled);
   EXPECT_NEAR(*settling_time(decaying(tau, 0.0, 0.06), 0.06, 0.2), tau * std::log(5.0), sampled);
-  // Of a cosine of 1 kHz the last extreme outside +-0.06 is that near 2.5 ms, -0.083; the next, near 3 ms, is 0.050.
+  // The last extreme of a cosine of 1 kHz outside +-0.06 is that near 2.5 ms, -0.083; the next, near 3 ms, is
+  // 0.050.
   const double settled = *settling_time(decaying(tau, 1000.0, 0.06), 0.06, 0.06);
   EXPECT_NEAR(std::exp(-settled / tau) * std::cos(2.0 * M_PI * 1000.0 * settled), -0.06, 1e-4);
   EXPECT_GT(settled, 2.4e-3);
@@ -104,7 +105,8 @@ TEST(BallRun, SamplesWhereItSaysAndBalancesTheLoad) {
   EXPECT_GT(result.means.life.bearing, 0.0);
 }
 
-// Under an axial load balls press on both races at the angle of the static balance, where they hardly turn.
+// Under an axial load balls press on both races at the angle of the static equilibrium, where they hardly
+// rotate.
 TEST(BallRun, ContactAnglesOfBothRacesAreThoseOfTheStaticBalance) {
   const bearing::Bearing b = small_ball_bearing(20e-6);
   BallDuty duty;
@@ -134,7 +136,7 @@ TEST(BallRun, AFinerErrorChangesLittle) {
   EXPECT_NEAR(coarse.means.inner_load_rms / fine.means.inner_load_rms, 1.0, 0.01);
 }
 
-// Issue 14, Build 2: the form of [Chen2026], whose places follow from balance, gives the same statistics.
+// The form of [Chen2026], whose positions follow from equilibrium, gives the same statistics.
 TEST(BallRun, PrintedFormGivesTheStatisticsOfTheCompleteOne) {
   BallRunOptions options = short_run(), published = options;
   options.duration = published.duration = 0.03;
@@ -161,7 +163,7 @@ TEST(BallRun, PrintedFormsStepsConverge) {
   EXPECT_NEAR(a.series.first_inner.back(), b.series.first_inner.back(), 1e-3 * 938.0);
 }
 
-// Issue 14, Build 6: balls that may fail too shorten the life, by less than they halve it.
+// Balls that may fail too shorten the life, by less than they halve it.
 TEST(BallRun, BallsShareTheLife) {
   BallRunOptions options = short_run();
   options.duration = 0.05;
@@ -181,8 +183,7 @@ TEST(BallRun, RefusesWhatHasNoMeaning) {
                  bearing::balls::ball_numbers(bearing::Bearing{}, small_ball_motion()));
 }
 
-// Issue 19, Build 6. Balls may stand up to a radius off their circle and a diameter along the axis, the cage
-// a radius aside.
+// Balls may be up to a radius off their circle and a diameter along the axis, the cage a radius aside.
 TEST(BallsInPlace, AreBetweenTheRacesAndTheCageAboutThem) {
   const bearing::Bearing b = small_ball_bearing(20e-6);
   const bearing::balls::BallNumbers numbers = bearing::balls::ball_numbers(b, small_ball_motion());

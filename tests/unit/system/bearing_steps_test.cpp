@@ -52,8 +52,7 @@ TEST(AllowedErrors, FollowTheKindOfEachVariable) {
   EXPECT_DOUBLE_EQ(allowed[8], 1e-9 / 0.02 * 1e5);  // spin
 }
 
-// Issue 17, Build 2: loads hang on the bore most, on radial motion next, on what moves along the pitch circle
-// least.
+// Loads depend most on the bore, next on radial motion, least on motion along the pitch circle.
 TEST(ThirdOrderSteps, WeighWhatLoadsHangOnWhereOilIsInThePockets) {
   bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.squeeze = true;
@@ -93,7 +92,7 @@ TEST(ThirdOrderSteps, AreBoundByTheRingWhereOilIsInThePockets) {
   EXPECT_GT(longest(3e7), longest(3e8));
 }
 
-// Issue 17, Build 2: all variables alike, and no weight for those that bounce.
+// All variables equally, and no weight for those that bounce.
 TEST(FourthOrderSteps, WeighAllVariablesAlike) {
   bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.squeeze = true;

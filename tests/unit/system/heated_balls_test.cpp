@@ -1,4 +1,4 @@
-// Issue 14, Build 4: a small thermal network that goes on by averaging.
+// A small thermal network that is integrated with averages.
 #include "coupling/system/heated_balls.hpp"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ Eigen::VectorXd at(double of_balls, double inner, double outer) {
   return of({of_balls, inner, outer, 50.0, 30.0});
 }
 
-// Warm alike all through, the bearing is a larger one of the same shape.
+// At one temperature throughout, the bearing is a larger one of the same shape.
 TEST(HeatedBalls, EvenHeatingScalesTheFreeBearing) {
   Small small;
   for (const double angle : {0.0, 0.4}) {
@@ -137,7 +137,8 @@ TEST(HeatedBalls, ClearanceFollowsTheTemperaturesByHand) {
   EXPECT_NEAR(clearance(20.0, 20.0 + 5e-6 / (11.5e-6 * 26.4775e-3), 20.0), 0.0, 1e-12);
 }
 
-// What moves has the clearance: grooves stand apart by what their own circles and radii leave.
+// The parts in motion have the clearance: grooves are apart by the distance that their own circles and radii
+// leave.
 TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
   Small small;
   small.bearing.elements = bearing::Balls{7, 9.52e-3, 0.3};
@@ -153,8 +154,8 @@ TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
   EXPECT_NEAR(warm.outer.play + warm.radius, by[2] * (cold.outer.play + cold.radius), 1e-15);
 }
 
-// Heat capacities made so small that the bearing is warm after a tenth of a second: followed step by step, and
-// by looks of a millisecond at every fifth.
+// Heat capacities made so small that the bearing is warm after a tenth of a second: integrated step by step,
+// and by samples of a millisecond at every fifth.
 TEST(HeatedBalls, AveragingIsTheDirectIntegration) {
   Small small;
   HeatParameters heat{.on = true};

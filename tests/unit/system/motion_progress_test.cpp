@@ -1,4 +1,4 @@
-// Issue 50, Build 2: how far a motion is, for all who watch it, and without a change of its numbers.
+// Progress of a motion, for all observers, and without a change of its numbers.
 #include "coupling/system/motion_progress.hpp"
 
 #include <gtest/gtest.h>

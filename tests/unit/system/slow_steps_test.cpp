@@ -1,4 +1,4 @@
-// Issue 50, Build 1 and 3: bounds of steps of slow motion, and the part that a motion without steps names.
+// Bounds of steps of slow motion, and the part that a motion without steps names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// When means stand still, and what becomes of the means of several bearings: one criterion for the free
-// bearing, the driven one and one system. Issue 13, Build 3.
+// Steady means, and the means of several bearings: one criterion for the free bearing, the driven one and one
+// system.
 #include "coupling/system/steady_state.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ bool steady_after(bearing::motion::RaceStatistics WindowStatistics::*race, doubl
   return is_steady(window(), now, kCageSpeed, {.integration = {}});
 }
 
-// Each of the three means alone can say that it drifts, up as well as down.
+// Drift of any one of the three means is detected, up as well as down.
 TEST(Steady, AsksBothRacesAndTheCage) {
   EXPECT_TRUE(is_steady(window(), window(), kCageSpeed, {.integration = {}}));
   for (const double sign : {-1.0, 1.0}) {
@@ -46,7 +46,7 @@ TEST(Steady, AsksBothRacesAndTheCage) {
   }
 }
 
-// Three unlike bearings, the greatest and the least of all in neither the first nor the last.
+// Three different bearings, the greatest and the least of all in neither the first nor the last.
 TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
   std::vector<WindowStatistics> bearings;
   for (const double size : {1.0, 3.0, 2.0}) {
@@ -159,7 +159,7 @@ TEST(RunToSteadyState, KeepsToOneInterval) {
   EXPECT_TRUE(run.completed && run.steady) << run.message;
   EXPECT_EQ(run.windows.size(), 2u);
   EXPECT_EQ(run.report.steps, 7);
-  // Every fifth of ten samples where nothing but the steady state is asked, or means of states.
+  // Every fifth of ten samples where only the steady state, or means of states, are requested.
   const std::vector<int> shown{5, 10, 15, 20, 25, 30, 35, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
   ASSERT_EQ(motion.times.size(), shown.size());
   const double interval = sample_interval({kCageSpeed, 1.0}, kShortRun);
@@ -183,7 +183,7 @@ TEST(RunToSteadyState, PoolsBearingsAndKeepsASeriesOfTheFirst) {
   EXPECT_EQ(run.series.inner_load(2, 9), 3.0);
 }
 
-// All bearings show a state at the look, whatever number of samples a window has.
+// All bearings give a state at the look, whatever number of samples a window has.
 TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
   for (const long samples : {3L, 7L, 500L}) {
     SteadyStateOptions options = kShortRun;
@@ -201,8 +201,8 @@ TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
   }
 }
 
-// Of several bearings one at a time gives a state; over a run each of them does, a like share, and none
-// always in the same place of a window. Issue 17, Build 5.
+// One of several bearings at a time gives a state; over a run each of them does, in equal shares, and none
+// always at the same position in a window.
 TEST(RunToSteadyState, StatesComeFromAllBearingsInNoFixedPosition) {
   class Watched : public EvenMotion {
    public:

@@ -1,5 +1,5 @@
-// The bearing with a driven or open bore: all instruction sets alike, and its linear algebra against that of
-// the free bore.
+// The bearing with a driven or open bore: equal results of all instruction sets, and its linear algebra
+// against that of the free bore.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -137,9 +137,9 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
   }
 }
 
-// Issue 17, Build 5: what a stage does to the bearing, and the bearing to the bore, when the bore's velocity
-// or rotation has a rate: against differences of the right-hand side along the same motion. Left out are a
-// land that turns with the bore, waves that turn and neighbours.
+// Effects of a stage on the bearing, and of the bearing on the bore, when the bore's velocity or rotation has
+// a rate: against differences of the right-hand side along the same motion. Left out are a land that rotates
+// with the bore, waves that rotate and neighbours.
 class PortOfBore : public OpenBore {};
 
 TEST_P(PortOfBore, AnswersToRatesAsTheRightHandSideDoes) {
@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, OpenBore,
                                          Variant{"film", true, false, false},
                                          Variant{"inner_guidance", true, true, false},
                                          Variant{"rough", true, false, true},
-                                         // Issue 16, Build 8: rollers that touch one another
+                                         // Rollers that touch one another
                                          Variant{"full_complement", true, false, true, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 

@@ -248,11 +248,11 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"tilted_and_dry", false, false, TractionLaw::limiting_shear, 17, false, 12, 3e-3},
         Variant{"scratched", true, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, true},
         Variant{"scratched_and_rough", false, false, TractionLaw::limiting_shear, 20, true, 0, 0.0, true},
-        // Issue 16, Build 1: rims that bend.
+        // Rims that bend.
         Variant{"rim", false, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, false, true},
         Variant{"rim_and_all", true, false, TractionLaw::limiting_shear, 17, true, 12, 1e-3, true, true},
         Variant{"few_rollers", false, false, TractionLaw::regularised_coulomb, 5},
-        // Issue 16, Build 8: rollers that touch one another, all of them, some, or in a chain with an end.
+        // Rollers that touch one another, all of them, some, or in a chain with an end.
         Variant{"full_complement", true, false, TractionLaw::regularised_coulomb, 21, false, 0, 0.0, false,
                 false, true},
         Variant{"full_complement_rough", false, false, TractionLaw::limiting_shear, 21, true, 0, 0.0, false,
@@ -261,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
                 false, false, true},
         Variant{"without_cage", false, false, TractionLaw::regularised_coulomb, 16, false, 0, 0.0, false,
                 false, true},
-        // Issue 17, Build 1: oil that is pressed out.
+        // Squeeze film.
         Variant{"squeeze", false, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, false, false,
                 false, true},
         Variant{"squeeze_film", true, false, TractionLaw::limiting_shear, 15, false, 0, 0.0, false, false,

@@ -1,4 +1,4 @@
-// What the sources use of C libraries newer than 2.28. Included before each source by the compiler.
+// Functions of C libraries newer than 2.28 that the sources use. Included before each source by the compiler.
 #pragma once
 
 #include <dirent.h>
