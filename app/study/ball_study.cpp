@@ -115,7 +115,7 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.friction_by_standards =
       friction_by_standards(in,
                             {.speed = std::abs(inner - outer),
-                             .torque = std::abs(means.inner_torque),
+                             .torque = means.friction_torque,
                              .rolling = rolling,
                              .isothermal = isothermal ? rolling : 0.0,
                              .viscosity = in.quantity("lubricant.viscosity") / oil_density(in)},
@@ -218,8 +218,10 @@ void describe(Record& record, const BallStudy& study) {
   record.value("running_clearance_um", dimension::small_length, "at the temperatures of the run",
                study.radial_clearance);
   record
-      .value("friction_torque_N_mm", dimension::small_torque, "mean friction torque of the inner ring",
-             m.inner_torque)
+      .value("friction_torque_N_mm", dimension::small_torque,
+             "mean friction torque: losses over the rotation of one ring against "
+             "the other",
+             m.friction_torque)
       .variable = "mean_friction_torque";
   if (study.friction_by_standards)
     record.child("friction_by_standards", "by formulas of others", *study.friction_by_standards);

@@ -39,20 +39,43 @@ void add_loss(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
 // Sums over the steps while observed.
 struct ObservedSteps {
   double weight = 0.0;  // [s]
+  double turned = 0.0;  // [rad]  of one ring against the other
   double inner_square = 0.0, outer_square = 0.0;
   double inner_max = 0.0, outer_max = 0.0;
   bearing::motion::DamageSums damage;
 };
 
-// Sums over the samples while observed.
-struct ObservedSamples {
-  long samples = 0;
-  double inner_torque = 0.0, outer_torque = 0.0;
-  double inner_load = 0.0, outer_load = 0.0;    // [N]
-  double inner_angle = 0.0, outer_angle = 0.0;  // [N rad]
-  double inner_film = 0.0, outer_film = 0.0;    // [m]
-  long inner_loaded = 0, outer_loaded = 0;
-  BallPowerLoss loss;
+// Integrals over time of the states at the beginnings of steps, by the trapezoidal rule.
+struct ObservedStates {
+  double weight = 0.0;                            // [s]
+  double inner_load = 0.0, outer_load = 0.0;      // [N s]
+  double inner_angle = 0.0, outer_angle = 0.0;    // [N rad s]
+  double inner_film = 0.0, outer_film = 0.0;      // [m s]
+  double inner_loaded = 0.0, outer_loaded = 0.0;  // [s]
+  BallPowerLoss loss;                             // [J]
+
+  void add(double step, const BallSnapshot& s) {
+    const double length = 0.5 * (step + std::exchange(before, step));
+    weight += length;
+    add_loss(loss, s.loss, length);
+    add(length, s.inner, inner_load, inner_angle, inner_film, inner_loaded);
+    add(length, s.outer, outer_load, outer_angle, outer_film, outer_loaded);
+  }
+
+ private:
+  double before = 0.0;  // [s]  length of the step before
+
+  template <class Contacts>
+  static void add(double length, const Contacts& contacts, double& load, double& angle, double& film,
+                  double& loaded) {
+    for (const auto& contact : contacts) {
+      load += length * contact.load;
+      angle += length * contact.load * contact.contact_angle;
+      if (!(contact.load > 0.0)) continue;
+      film += length * contact.central_film;
+      loaded += length;
+    }
+  }
 };
 
 double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty,
@@ -81,6 +104,7 @@ class WatchedBalls : public BallEquations {
     angle_.assign(angle, angle + count);
     orbital_.assign(x.data() + 4 * layout.lanes(), x.data() + 4 * layout.lanes() + count);
     cage_speed_ = x[static_cast<std::size_t>(layout.inner() - 1)];
+    state_ = x;
   }
   void stepped(double time, double length) {
     const double rolling = rolling_cage_speed(geometry_, bearing_.duty(), time);
@@ -91,6 +115,10 @@ class WatchedBalls : public BallEquations {
     if (time < observe_from_) return;
     rolled_ += length * rolling_cage_speed(geometry_, bearing_.duty(), time + 0.5 * length);
     sums_.weight += length;
+    const double middle = time + 0.5 * length;
+    sums_.turned +=
+        length * std::abs(bearing_.duty().inner.speed_at(middle) - bearing_.duty().outer.speed_at(middle));
+    states_.add(length, bearing_.snapshot(time, state_.data()));
     for (std::size_t j = 0; j < inner_.size(); ++j) {
       sums_.inner_square += length * inner_[j] * inner_[j];
       sums_.outer_square += length * outer_[j] * outer_[j];
@@ -107,6 +135,7 @@ class WatchedBalls : public BallEquations {
                                                             duty.outer.speed_at(time))});
   }
   const ObservedSteps& sums() const { return sums_; }
+  const ObservedStates& states() const { return states_; }
   /// Largest load of a pocket since the last call [N].
   double take_pocket_load() { return std::exchange(pocket_, 0.0); }
   /// Angle of a cage that rolls without slip while observed [rad].
@@ -118,10 +147,12 @@ class WatchedBalls : public BallEquations {
   const bearing::BearingGeometry& geometry_;
   double observe_from_;
   ObservedSteps sums_;
+  ObservedStates states_;
   std::vector<double> inner_, outer_, angle_, orbital_;
-  double pocket_ = 0.0;      // [N]
-  double cage_speed_ = 0.0;  // [rad/s]
-  double rolled_ = 0.0;      // [rad]
+  std::vector<double> state_;  // at the beginning of the step
+  double pocket_ = 0.0;        // [N]
+  double cage_speed_ = 0.0;    // [rad/s]
+  double rolled_ = 0.0;        // [rad]
   SlipHistory history_;
 };
 
@@ -168,39 +199,23 @@ class PublishedSteps {
   std::vector<double> y_, then_, sum_, rate_;
 };
 
-void sum_sample(const BallSnapshot& s, ObservedSamples& sums) {
-  ++sums.samples;
-  sums.inner_torque += s.inner_torque;
-  sums.outer_torque += s.outer_torque;
-  add_loss(sums.loss, s.loss, 1.0);
-  for (std::size_t j = 0; j < s.inner.size(); ++j) {
-    sums.inner_load += s.inner[j].load;
-    sums.outer_load += s.outer[j].load;
-    sums.inner_angle += s.inner[j].load * s.inner[j].contact_angle;
-    sums.outer_angle += s.outer[j].load * s.outer[j].contact_angle;
-    if (s.inner[j].load > 0.0) sums.inner_film += s.inner[j].central_film, ++sums.inner_loaded;
-    if (s.outer[j].load > 0.0) sums.outer_film += s.outer[j].central_film, ++sums.outer_loaded;
-  }
-}
-
 double mean_of(double sum, double count) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-BallMeans means_of_balls(const ObservedSteps& steps, const ObservedSamples& samples, int balls) {
+BallMeans means_of_balls(const ObservedSteps& steps, const ObservedStates& states, int balls) {
   BallMeans m;
-  const double contacts = steps.weight * balls, n = static_cast<double>(samples.samples);
+  const double contacts = steps.weight * balls;
   m.inner_load_rms = std::sqrt(mean_of(steps.inner_square, contacts));
   m.outer_load_rms = std::sqrt(mean_of(steps.outer_square, contacts));
   m.inner_load_max = steps.inner_max;
   m.outer_load_max = steps.outer_max;
-  m.inner_torque = mean_of(samples.inner_torque, n);
-  m.outer_torque = mean_of(samples.outer_torque, n);
-  m.inner_angle = mean_of(samples.inner_angle, samples.inner_load);
-  m.outer_angle = mean_of(samples.outer_angle, samples.outer_load);
-  m.inner_film = mean_of(samples.inner_film, static_cast<double>(samples.inner_loaded));
-  m.outer_film = mean_of(samples.outer_film, static_cast<double>(samples.outer_loaded));
-  add_loss(m.loss, samples.loss, mean_of(1.0, n));
+  m.friction_torque = mean_of(states.loss.total(), steps.turned);
+  m.inner_angle = mean_of(states.inner_angle, states.inner_load);
+  m.outer_angle = mean_of(states.outer_angle, states.outer_load);
+  m.inner_film = mean_of(states.inner_film, states.inner_loaded);
+  m.outer_film = mean_of(states.outer_film, states.outer_loaded);
+  add_loss(m.loss, states.loss, mean_of(1.0, states.weight));
   return m;
 }
 
@@ -282,7 +297,6 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   integration::IntegrationOptions limits;
   limits.most_seconds = options.most_seconds;
   integration::Run budget(limits, result.report);
-  ObservedSamples samples;
   const int cage_turn = model.layout().cage() + 5;
   double time = 0.0, observed_since = 0.0, angle_then = 0.0;
   bool observing = false;
@@ -292,12 +306,9 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     result.pocket_load_max = std::max(result.pocket_load_max, pocket);
     sample_series(model, geometry, time, x.data(), s, pocket, result.series);
     if (time < observe_from) return;
-    if (!std::exchange(observing, true)) {
-      observed_since = time;
-      angle_then = x[static_cast<std::size_t>(cage_turn)];
-    } else {
-      sum_sample(s, samples);
-    }
+    if (std::exchange(observing, true)) return;
+    observed_since = time;
+    angle_then = x[static_cast<std::size_t>(cage_turn)];
   };
   try {
     sample();
@@ -320,7 +331,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   }
   result.report.completed = result.completed;
   result.report.wall_seconds = budget.seconds();
-  result.means = means_of_balls(system.sums(), samples, numbers.balls);
+  result.means = means_of_balls(system.sums(), system.states(), numbers.balls);
   const double span = time - observed_since;
   if (observing && span > 0.0) {
     const double turned = x[static_cast<std::size_t>(cage_turn)] - angle_then;

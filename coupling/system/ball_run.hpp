@@ -111,14 +111,16 @@ struct BallSeries {
 
 /// Means over the observed time.
 struct BallMeans {
-  double cage_slip = 0.0;                           // [-]  from the angle that the cage turned
-  double cage_speed = 0.0;                          // [rad/s]
-  double inner_load_rms = 0.0;                      // [N]  over all balls, unloaded time included
-  double outer_load_rms = 0.0;                      // [N]
-  double inner_load_max = 0.0;                      // [N]
-  double outer_load_max = 0.0;                      // [N]
-  double inner_torque = 0.0;                        // [N m]
-  double outer_torque = 0.0;                        // [N m]
+  double cage_slip = 0.0;       // [-]  from the angle that the cage turned
+  double cage_speed = 0.0;      // [rad/s]
+  double inner_load_rms = 0.0;  // [N]  over all balls, unloaded time included
+  double outer_load_rms = 0.0;  // [N]
+  double inner_load_max = 0.0;  // [N]
+  double outer_load_max = 0.0;  // [N]
+  /// [N m]  Energy that is lost over the angle by which the rings turn against each other. The mean of the
+  /// drive's torque over states of the integrator tends to it as its steps shorten, and is a tenth off
+  /// before.
+  double friction_torque = 0.0;
   double inner_angle = 0.0;                         // [rad]  mean contact angle, weighed by load
   double outer_angle = 0.0;                         // [rad]
   double inner_film = 0.0;                          // [m]  mean central film of loaded balls

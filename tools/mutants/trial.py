@@ -10,6 +10,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import time
 
 from . import beside
@@ -17,6 +18,7 @@ from .draw import Mutant
 
 PROOFS = ("unit", "identities", "literature")  # what says how it shall be; regression says how it was
 STAGES = (("unit", "literature"), ("identities",), ("regression",))  # the quick ones first
+RECORDED = "tests/interface/recorded_results.py"  # the quick one of the tests from outside, asked before the others
 NOT_COPIED = {"build", "dist", "results", ".git", ".cache"}  # of the root
 CHOICE = "ORBEARING_MUTANT"  # of the environment: number of the error that acts
 REACHED = "ORBEARING_REACHED"  # a file for the numbers of those that were come by
@@ -31,18 +33,17 @@ inline const int chosen = [] {
   return text == nullptr ? -1 : std::atoi(text);
 }();
 inline std::atomic<bool> reached[1000];
-inline const struct Tell {
-  ~Tell() {
-    const char* name = std::getenv("ORBEARING_REACHED");
-    std::FILE* file = name == nullptr ? nullptr : std::fopen(name, "a");
-    if (file == nullptr) return;
-    for (int i = 0; i < 1000; ++i)
-      if (reached[i]) std::fprintf(file, "%d\\n", i);
-    std::fclose(file);
-  }
-} tell;
+// At once, since what is ended by a signal has no end of its own.
+[[gnu::noinline, gnu::cold]] inline void tell(int number) {
+  if (reached[number].exchange(true)) return;
+  const char* name = std::getenv("ORBEARING_REACHED");
+  std::FILE* file = name == nullptr ? nullptr : std::fopen(name, "a");
+  if (file == nullptr) return;
+  std::fprintf(file, "%d\\n", number);
+  std::fclose(file);
+}
 [[gnu::always_inline]] inline bool acts(int number) {
-  if (!reached[number].load(std::memory_order_relaxed)) reached[number].store(true, std::memory_order_relaxed);
+  if (!reached[number].load(std::memory_order_relaxed)) tell(number);
   return chosen == number;
 }
 }
@@ -93,6 +94,7 @@ class Copy:
         self.chooser = home / "chooser.hpp"
         self.files: dict[str, TestFile] = {}
         self.inside: dict[int, Mutant] = {}
+        self.answers: dict[str, dict] = {}  # recorded ones, by number
 
     def refresh(self) -> None:
         """All files as they are now, except those that hold errors: what is the same is not touched, nor built again."""
@@ -245,11 +247,56 @@ class Copy:
                 return file.kind, f"{name}: {test}{how}", asked
         return "none", "", len(names)
 
-    def interface_finder(self, number: int, tell) -> tuple[str, str]:
-        """The same of the tests of the program from outside, which are asked last: they take minutes."""
+    def make_program(self) -> None:
         if not self.make("orbearing_tests", "orbearing", "orbearing_machine_run", "orbearing_fmu_loader"):  # others check the sources
             raise RuntimeError(f"the program does not build:\n{self.log[-3000:]}")
-        ctest = ["ctest", "--test-dir", self.folder, "-L", "^interface$", "-E", "windows|wine", "--stop-on-failure", "-j", str(self.jobs)]
+
+    def recorded(self, *words: str, seconds: float = 600.0, **environment: str) -> tuple[int, str]:
+        """The test of recorded answers (tests/interface/recorded_results.py), of the copy's program."""
+        return run([sys.executable, self.tree / RECORDED, *words, "--jobs", "1"], seconds,
+                   env=os.environ | {"ORBEARING": str(self.folder / "bin" / "orbearing"), "ORBEARING_SOURCE_DIR": str(self.tree)} | environment)
+
+    def measure_recorded(self, tell) -> None:
+        """Time of each recorded answer without an error, and which errors it comes by; kept for commands that have not changed."""
+        self.make_program()
+        kept_in = self.home / "recorded.json"
+        kept = json.loads(kept_in.read_text()) if kept_in.exists() else {}
+        folder = (self.tree / RECORDED).parent
+        shared = digest(json.dumps({str(number): mutant.key for number, mutant in sorted(self.inside.items())}),
+                        *(self.texts[name] for name in sorted(self.texts)), (folder / "recorded_results.txt").read_text(),
+                        *(path.read_text() for path in sorted(folder.glob("recorded_*.py"))), (folder / "recorded_results.json.xz").read_bytes().hex())
+        if kept.get("shared") != shared:
+            kept = {"shared": shared, "commands": {}}
+            for line in self.recorded("--list")[1].splitlines():
+                number, command = line.split(" ", 1)
+                reached = self.home / "reached_recorded.txt"
+                begin = time.monotonic()
+                code, output = self.recorded("--only", number, **{REACHED: str(reached)})
+                seconds = time.monotonic() - begin
+                if code != 0:
+                    tell(f"recorded answer {number} is left out: it differs without any error\n{output[-800:]}")
+                kept["commands"][number] = {"command": command, "seconds": seconds, "passes": code == 0,
+                                            "reached": sorted({int(one) for one in reached.read_text().split()}) if reached.exists() else []}
+                reached.unlink(missing_ok=True)
+            kept_in.write_text(json.dumps(kept))
+        self.answers = {number: one for number, one in kept["commands"].items() if one["passes"]}
+
+    def recorded_finder(self, number: int) -> tuple[str, str, int]:
+        """The recorded answer that differs with the error, of those that come by it, the quick ones first."""
+        asked = sorted((one for one, entry in self.answers.items() if number not in self.inside or number in entry["reached"]),
+                       key=lambda one: self.answers[one]["seconds"])
+        if not asked:
+            return "none", "", 0
+        patience = LEAST_PATIENCE + PATIENCE * sum(self.answers[one]["seconds"] for one in asked)
+        code, output = self.recorded("--only", *asked, seconds=patience, **{CHOICE: str(number)})
+        if code == 0:
+            return "none", "", len(asked)
+        return "interface", f"recorded_results: {output.splitlines()[0] if output else '?'}{' (did not end)' if code == 124 else ''}", len(asked)
+
+    def interface_finder(self, number: int, tell) -> tuple[str, str]:
+        """The same of the tests of the program from outside, which are asked last: they take minutes."""
+        self.make_program()
+        ctest = ["ctest", "--test-dir", self.folder, "-L", "^interface$", "-E", "windows|wine|recorded_results", "--stop-on-failure", "-j", str(self.jobs)]
         for tries in range(20):
             _, output = run(ctest, 3600.0, env=os.environ | {CHOICE: str(number)})
             failed = re.findall(r"^\t *\d+ - (\S+) \((?!Skipped|Not Run)", output, re.MULTILINE)
@@ -278,6 +325,10 @@ class Copy:
                 asked += more
                 if kind != "none":
                     break
+            if kind == "none" and self.program and self.answers:
+                self.make_program()
+                kind, test, more = self.recorded_finder(-1)
+                asked += more
             return kind, test, asked
         finally:
             (self.tree / mutant.file).write_text(kept, encoding="utf-8")

@@ -26,8 +26,7 @@ BallStudy distinct_study() {
   m.outer_load_rms = 10.0;
   m.inner_load_max = 11.0;
   m.outer_load_max = 12.0;
-  m.inner_torque = 13.0;
-  m.outer_torque = 14.0;
+  m.friction_torque = 13.0;
   m.inner_angle = 0.15;
   m.outer_angle = 0.16;
   m.inner_film = 17e-6;

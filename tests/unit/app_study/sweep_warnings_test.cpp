@@ -60,6 +60,11 @@ TEST(SweepWarnings, OfTheOneWayLaw) {
                                                            {{"one_way_accepted", 0.0}})));
 }
 
+TEST(SweepWarnings, OfAnExchangeThatMakesPower) {
+  EXPECT_SAID("exchange makes power",
+              last_warning(outcome_of("interface_energy_residual", {0.0202, 0.025, 0.0251, 0.101})));
+}
+
 TEST(SweepWarnings, OfBoresWhoseMotionDependsOnTheirMeshes) {
   EXPECT_SAID("one way solved together", last_warning(outcome_of("interface_window_us", {0.0, 4.3})));
   const SweepOutcome light = outcome_of("drag_over_traction", {1.0, 1.01});
