@@ -138,5 +138,5 @@ export function coreWorker({folder, log, held, streams = true, failing, ...more}
     },
     compile: async (bytes) => `compiled from ${bytes.byteLength} bytes`
   });
-  return {deliver: (count) => workers.at(-1).deliver(count)};
+  return {deliver: (count) => workers.at(-1).deliver(count), post: (data) => workers[0].postMessage(data)};
 }

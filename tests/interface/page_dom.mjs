@@ -326,7 +326,7 @@ const schemaOf = (which) => fixture.given_schemas?.[which] ?? JSON.parse(fs.read
 const jobs = [];
 globalThis.fetch = async (url, init = {}) => {
   const path = String(url).replace(/^.*\/app\/page\//, ''), body = init.body ? JSON.parse(init.body) : undefined;
-  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => answer});
+  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => (recorded ? new Blob([answer]) : answer)});
   tellLog('fetch', init.method ?? 'GET', path, ...(body ? [asLogged(body), init.headers] : []));
   if (fixture.takes && body) clock.pass(fixture.takes[body.command] ?? 0);
   if (path.startsWith('schema/')) return respond({body: schemaOf(path.slice(7))});
@@ -473,7 +473,7 @@ const find = (selector, text) => {
   if (!found) throw new Error(`nothing is ${selector}${text ?? ''}`);
   return found;
 };
-for (const step of fixture.steps) {
+async function act(step) {
   const {what, selector, value} = step;
   if (what === 'click') find(selector, step.text).dispatchEvent(new Event('click', {cancelable: true}));
   else if (what === 'set') {
@@ -503,6 +503,7 @@ for (const step of fixture.steps) {
     ofWidth.forEach((act) => act());
     resized.forEach((act) => act());
   } else if (what === 'time') clock.pass(step.by);
+  else if (what === 'post') core.post(step.data);
   else if (what === 'deliver') core.deliver(step.count);
   else if (what === 'ask') await ask(step);
   else if (what === 'files') {
@@ -549,7 +550,12 @@ for (const step of fixture.steps) {
       body: document.body.className, focused: document.activeElement?.id ?? ''
     };
     if (step.narrowly) dumps[step.name] = Object.fromEntries(step.narrowly.map((name) => [name, dumps[step.name][name]]));
-  } else if (what !== 'record') throw new Error(`an unknown step: ${what}`);
+  } else if (what === 'together')  // without a pause between them
+    for (const one of step.all) act(one);
+  else if (what !== 'record') throw new Error(`an unknown step: ${what}`);
+}
+for (const step of fixture.steps) {
+  await act(step);
   await settled();
   if (recorded) {
     record.push({step: step.name ?? nameOf(step), page: changes.of(page), log: log.splice(0), title: document.title, focused: document.activeElement ? placeOf(document.activeElement) : ''});

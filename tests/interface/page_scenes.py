@@ -67,6 +67,10 @@ def file_put(name, text, selector="#open-file"):
     return {"what": "files", "selector": selector, "files": [{"name": name, "text": text}]}
 
 
+def together(*steps):
+    return {"what": "together", "all": list(steps)}
+
+
 def check_put(selector, value):
     return {"what": "check", "selector": selector, "value": value}
 
@@ -124,6 +128,9 @@ AXES["no loads"] = made("plain", "no loads", results={"run": {**RUN, "roller_loa
 def lives(name, **nulls):
     """Lives over speed of an axis with logarithms."""
     return made("planets", name, nulls={key: None for key in ("L10h", "L10rh", "L10mh", "L10mrh")} | nulls, results={"run": {**RUN, "verdicts": []}, "sweep": {**SWEEP, "verdicts": []}})
+
+
+AXES["more labels"] = made("plain", "more labels", results={"run": {**RUN, **along([1.0, 2.0], [3.0, 4.0], [8100.0, 9990.0])}}, steps=[resize(300), resize(240), resize(180), resize(800)])
 
 
 LOGS = {"one life": lives("one life", life_h=5.0), "three decades": lives("three decades", life_h=2.0, L10h=1990.0), "more than three decades": lives("more than three decades", life_h=2.0, L10h=2100.0),
@@ -224,7 +231,9 @@ ASKED_FOR = {"worse crown": made("planets", "worse crown", results={"crown": WOR
 ASKED = [
     opened("crown"), opened("assumptions"), opened("mesh"), opened("point"), click("#card-crown button"), click("#card-assumptions button"), cursor_put(8400), click("#card-assumptions button"),
     {"what": "press", "selector": "#card-assumptions a", "event": "click", "data": {}}, cursor_put(9000), text_put(OTHER), click("#card-crown button"), button("Put this drop into the case"), *steps_through(ASKED_FOR), text_put(CASE),
-    {"what": "open", "selector": "#card-mesh", "value": False}, text_put(OTHER), {"what": "open", "selector": "#card-mesh"}]
+    {"what": "open", "selector": "#card-mesh", "value": False}, text_put(OTHER), {"what": "open", "selector": "#card-mesh"},
+    together(click("#card-crown button"), click("#card-crown button"), cursor_put(8100)), *(step for i in range(21) for step in (cursor_put(8200 + 10 * i), click("#card-crown button"))), cursor_put(8200),
+    together(cursor_put(9100), click("[data-pin=A]")), text_put(f"{CASE}# bad\n"), click("[data-pin=B]"), together(text_put(CASE), text_put(OTHER), cursor_put(9200), text_put(CASE))]
 
 # --- A result as tables.
 REST = {"rest_a": 12345.678, "rest_b": {"inner": 0.00012346, "deep": {"most_mm": 5.5, "words": "of it"}}, "rest_list": [1.5, None, 2.5], "rest_um": [4.25], "rest_rows": [{"name": "one", "force_N": 3.25}, {"name": "two", "force_N": 4.75}],
@@ -310,7 +319,7 @@ LIKE_NAMED = made("named", "in its place", errors=["case.yaml:5:6: bearing.per_p
 
 # --- Other models, each opened as a file.
 OF_ROLLERS = {"L10h": 1000.5, "L10rh": 1137.5, "L10mh": 1274.5, "L10mrh": 1411.5, "life_h": 1548.5, "S0": 2.5, "kappa": 3.5, "contact_pressure_max_MPa": 1234.5, "contact_loads_N": [500.0 + 7 * j for j in range(14)],
-              "outer_contact_loads_N": [400.0 + 9 * j for j in range(14)], "lamina_loads_N": [[10.0 * ((5 * j) % 14) + i for i in range(4)] for j in range(14)], "steps": {"gamma": 0.125, "lamina_places_mm": [-3.0, -1.0, 1.0, 3.0]},
+              "outer_contact_loads_N": [400.0 + 9 * j for j in range(14)], "lamina_loads_N": [[10.0 * ((5 * j) % 14) + i for i in range(4)] for j in range(14)], "roller_loads": [], "steps": {"gamma": 0.125, "lamina_places_mm": [-3.0, -1.0, 1.0, 3.0]},
               "displacement": {"radial_um": 4.25, "axial_um": 0.5}, "verdicts": [{**VERDICTS[0], "value": 1274.0, "limit": 1274.5}, {**VERDICTS[1], "value": 2.5, "limit": 2.0}], "units": {"steps/gamma": "1"}, "warnings": ["of the run"]}
 OF_BALLS = {"L10h": 900.5, "contact_loads_N": [300.0 + 11 * j for j in range(18)], "steps": {"element_angles_deg": [3.0 + 40 * j for j in range(9)]}, "units": {}, "verdicts": []}
 MODELS = {
@@ -338,7 +347,10 @@ SPANS = {name: {"base": "planets", "text": CASE.replace("[8000 rpm, 9000 rpm, 10
 SPANS |= {"slower": made("planets", "slower", lambda check: with_inputs(check, input__speed=700.0)), "by torque": made("planets", "by torque", lambda check: with_inputs(check, input__power=None, input__torque=150.0)),
           "no speed": made("planets", "no speed", lambda check: with_inputs(check, input__speed=None)), "no bearing": made("planets", "no bearing", lambda check: with_inputs(check, bearing__per_planet=None)),
           "no power": made("planets", "no power", lambda check: with_inputs(check, input__power=0.0)), "member": made("planets", "member", lambda check: with_inputs(check, input__member="carrier")), "no member": made("planets", "no member", lambda check: with_inputs(check, input__member=None)),
-          "unused": made("planets", "unused", lambda check: {**check, "inputs": [{**one, "used_by": []} for one in check["inputs"]]}), "bad": ASKED_FOR["bad"]}
+          "unused": made("planets", "unused", lambda check: {**check, "inputs": [{**one, "used_by": []} for one in check["inputs"]]}), "bad": ASKED_FOR["bad"],
+          "anchored": {"base": "planets", "text": CASE.replace("[8000 rpm, 9000 rpm", "&s [8000 rpm, 9000 rpm"), "edit": lambda check: check}, "no curve": made("planets", "no curve", results={"sweep": {"refused": {"status": 500, "body": {"code": 1, "errors": ["no curve"]}}}}),
+          "no inputs": made("planets", "no inputs", lambda check: {**check, "derived": None}), "planets": made("planets", "as before"), "one fidelity": made("planets", "one fidelity", lambda check: {
+              **check, "inputs": [{**one, "used_by": [name for name in one["used_by"] if name != "--fidelity quasi-static"]} for one in check["inputs"]]})}
 
 # --- Engines: what they send and take, asked for what the page does not ask for.
 RUN_OF_CASE = {"command": "run", "case_text": CASE, "settings": ["input.speed=8100 rpm"]}
@@ -352,7 +364,7 @@ ENGINE_A = [
     ask("a", "answer", RUN_OF_CASE), ask("a", "answer", {"command": "check", "case_text": CASE}, abort="before"), ask("a", "units", "3 mm", "um"), ask("a", "units", "3 mm", "x"), ask("a", "folders"), ask("a", "results", "a folder/of it"), ask("a", "templates"),
     ask("a", "save", "x.yaml", "text: 1"), ask("a", "save", "x.yaml", "text: 2", "version"), ask("a", "report", RUN_OF_CASE), ask("a", "report", RUN_OF_CASE, "pdf", "point"), ask("a", "schema", "result"), time(15000), time(30000), {"what": "window", "event": "pagehide"},
     cursor_put(8200), cursor_put(8300), cursor_put(8400), cursor_put(8500), cursor_put(8600), click("#card-motion .chief"), click("#card-motion .chief"), click("#card-motion .stop"), {"what": "broken", "state": 0}, {"what": "broken", "state": 2}]
-MANIFEST = [{"file": "manifest.jsonl", "text": '{"sweep": "of the page", "file": ""}\n'}, {"told": ["progress", {"done": 0, "all": 3, "doing": "Set up"}]},
+MANIFEST = [{"file": "manifest.jsonl", "text": '{"sweep": "of the page", "file": ""}\n'}, {"told": ["progress", {"done": 0, "all": 3, "doing": "Set up"}]}, {"told": ["progress", {"done": 0, "all": 3, "doing": "Mesh"}]},
             {"file": "manifest.jsonl", "text": '{"row": {"input_speed_rpm": 8000.0, "cage_slip": 0.5, "status": "ok"}, "file": "points/1.nc"}\n{"row": {"input_sp'}, {"told": ["motion", NOW]},
             {"file": "manifest.jsonl", "text": 'eed_rpm": 9000.0, "cage_slip": 0.25, "status": "ok"}, "file": "points/2.nc"}\n'}, {"file": "points/1.nc", "text": "arrays"}, {"told": ["progress", {"done": 2, "all": 3, "doing": ""}]},
             {"file": "manifest.jsonl", "text": '{"row": {"input_speed_rpm": 10000.0, "cage_slip": 0.125, "status": "ok"}, "file": "points/3.nc"}\n{"cut'}]
@@ -360,7 +372,9 @@ ENGINE_B = [
     record("as it is at first"), click("[data-template=one]"), cursor_put(8400), click("#to-take"), click("#take .close"), put("#fidelity", "dynamic"), click("#card-motion .chief"), *({"what": "deliver", "count": 1} for _ in range(3)), time(4000), {"what": "deliver", "count": 2},
     click("#card-motion .stop"), {"what": "click", "selector": "#card-motion .proceed"}, {"what": "deliver", "count": 3}, time(500), {"what": "deliver", "count": 20}, click("#card-motion .chief"), {"what": "deliver", "count": 30}, text_put(OTHER), text_put("name: x\n"),
     file_put("defect.yaml", TEXTS["defect"]), click("#card-result .chief"), {"what": "deliver", "count": 9}, click("#card-result .chief"), {"what": "click", "selector": "#card-result .player button", "text": "Stop"}, ask("b", "answer", RUN_OF_CASE, abort="before"),
-    ask("b", "answer", RUN_OF_CASE, abort="after"), ask("b", "answer", {**RUN_OF_CASE, "settings": []}), ask("b", "units", "3 mm", "um"), ask("b", "answer", {"command": "sweep", "case_text": CASE, "settings": ["sweep={input.speed: [8000 rpm, 9000 rpm]}"]})]
+    ask("b", "answer", RUN_OF_CASE, abort="after"), ask("b", "answer", {**RUN_OF_CASE, "settings": []}), ask("b", "units", "3 mm", "um"), ask("b", "answer", {"command": "sweep", "case_text": CASE, "settings": ["sweep={input.speed: [8000 rpm, 9000 rpm]}"]}),
+    *({"what": "post", "data": {"id": 90 + i, "request": {"command": "sweep", "case_text": CASE, "settings": ["sweep={input.speed: [8000 rpm]}"], "options": {"x": i}}, "kept": kept}} for i, kept in enumerate((
+        [], ['{"sweep": "x", "file": ""}', '{"row": {"input_speed_rpm": 8000.0}, "file": "points/7.nc"}'], [])))]
 WHOLE = [{"body": "no memory"}, {"body": "words alone"}]
 
 SCENES = {
@@ -369,11 +383,11 @@ SCENES = {
                  {"body": {"file": "kept/own.csv", "checksum": "c"}}, {"status": 409, "body": {"errors": ["own.csv: is there", "already"]}}]},
     "narrow form": {"texts": ["named", "planets"], "inputs": "case", "made": {"in its place": LIKE_NAMED}, "width": 500, "opened": {**START, "kind": "case", "text": NAMED, "file": "x.yml", "name": "x"}, "steps": [
         record("as it is at first"), put(IDS["bearing.designation"], "NU 2307"), put(IDS["bearing.catalogue"], "x"), file_put("own.csv", "a,b\n1,2\n", row("bearing.catalogue", "[type=file]")), text_put(LIKE_NAMED["text"]), click("#mend button"), resize(700)]},
-    "models": {"texts": ["planets"], "made": MODELS, "steps": FILES_OF_MODELS},
+    "models": {"texts": ["planets"], "made": MODELS, "results": {"run": {"units": {}}}, "steps": FILES_OF_MODELS},
     "forms": {"texts": ["pair", "roller", "defect", "duplex", "film", "sets", "planets"], "inputs": "case", "steps": [record("as it is at first"), *(text_put(TEXTS[name]) for name in ("roller", "defect", "duplex", "film", "sets", "planets"))]},
     "defect": {"texts": ["planets", "defect"], "made": {"heavier": DEFECT_2}, "steps": DEFECT},
     "spans": {"texts": ["planets"], "made": SPANS, "steps": [step for case in SPANS.values() for step in (text_put(case["text"]), put("#cursor", "250", "input"), click("#to-start"), click("#back"))]
-              + [text_put(SPANS["by torque"]["text"]), text_put(SPANS["radians"]["text"]), click("[data-instead='input.torque']"), text_put(SPANS["no power"]["text"]), click("[data-instead='input.torque']")]},
+              + [text_put(SPANS["by torque"]["text"]), click("[data-instead='input.torque']"), text_put(SPANS["radians"]["text"]), click("[data-instead='input.torque']"), text_put(SPANS["no power"]["text"]), click("[data-instead='input.torque']")]},
     "slow": {"texts": ["planets", "other", "third"], "takes": {"sweep": 400, "run": 7, "check": 3}, "steps": [record("as it is at first"), text_put(OTHER), text_put(THIRD)]},
     "fast": {"texts": ["planets", "other"], "takes": {"sweep": 225, "run": 7, "check": 3}, "steps": [record("as it is at first"), text_put(OTHER), cursor_put(8100)]},
     "engine a": {"texts": ["planets"], "steps": ENGINE_A, "hash": "#results", "refusals": [None] * 4 + ["gone", {"status": 429, "body": {"error": "more than 8"}}, {"status": 429, "body": {}}, None, {"status": 503, "body": {}},
@@ -397,6 +411,17 @@ SCENES = {
         {"body": {"file": "case.yaml", "checksum": "second"}}, {"status": 409, "body": {"errors": ["case.yaml: found another content"], "checksum": "by a colleague"}}]},
     "folder": {"texts": ["planets", "other"], "opened": HALF, "folder_results": [{"body": HALF}, {"body": MORE}, {"body": {**MORE, "finished": True}}], "steps": [
         record("opened"), time(5000), time(5000), click("#card-motion .proceed"), points(8500.0), told("stopped", points=[]), time(5000), time(5000), text_put(OTHER), time(5000)]},
+    "crown in a folder": {"texts": ["planets"], "opened": {**HALF, "points": None, "finished": True, "result": CROWN}, "steps": [record("opened"), cursor_put(8400)]},
+    "optimum in a folder": {"texts": ["planets"], "opened": {**HALF, "points": None, "finished": True, "result": {**CROWN, "recommended": None, "in_run": None, "optimum": {"profile": "x", "drop_um": 1.25, "governing_life_h": 345.0, "peak_pressure_MPa": 678.0}}},
+                            "steps": [record("opened"), button("Put this drop into the case")]},
+    "result in a folder": {"texts": ["defect"], "opened": {**HALF, "text": TEXTS["defect"], "points": None, "finished": True, "result": {"shaft_Hz": 25.25, "units": {}}, "error": "case.resolved.yaml: differs"}, "steps": [record("opened")]},
+    "begun folder": {"texts": ["planets", "other"], "opened": {**HALF, "points": [], "missing": {"text": "no manifest"}, "options": None, "fidelity": "quasi-static"}, "folder_results": [{"body": {**HALF, "missing": None}}, {"body": HALF}, {"body": HALF}], "steps": [
+        record("opened"), time(5000), together(click("#card-motion .chief"), time(5000)), told("result", points=[]), time(5000), together(time(5000), text_put(OTHER))]},
+    "bad from the start": {"texts": [], "made": {"bad": made("planets", "bad", lambda check: None, errors=["case.yaml:1:1: name: found x", "case.yaml:70:3: nowhere.key: found y"])}, "steps": [
+        record("as it is at first"), click("#mend button"), button("Show the line", "#errors button"), click("#to-take"), click("#take .close"), click("[data-pin=A]")]},
+    "bad after another": {"texts": ["planets"], "made": {"bad": ASKED_FOR["bad"]}, "steps": [opened("point"), file_put("bad.yaml", ASKED_FOR["bad"]["text"]), text_put(CASE)]},
+    "motion of no speed": {"texts": [], "made": {"no speed": BEARINGS["no speed"], "small": BEARINGS["few rollers"], "planets": made("planets", "planets")}, "steps": [
+        click("#card-motion .chief"), *moving(10), *moving(200, time_s=0.2), told("result", points=[]), text_put(BEARINGS["few rollers"]["text"]), click("#card-motion .chief"), *moving(10), told("stopped", points=[])]},
     "start": {"texts": ["planets", "other"], "opened": START, "templates": TEMPLATES, "folders": FOUND_FOLDERS, "steps": [
         record("as it is at first"), click("[data-folder=half]"), click("[data-template=two]"), click("#to-start"), click("#back"), click("#to-start"), file_put("given.yml", CASE), click("#to-start"),
         click("[data-folder=whole]"), time(5000), click("#to-take")], "folder_results": [
