@@ -1,12 +1,20 @@
 // The page in node, without a browser: a document that keeps what the scripts put into it, and a server that answers from a fixture.
 //
 //     node page_dom.mjs < {"web", "schemas", "opened", "checks", "keys", "results", "steps"}     writes what each step "dump" saw
+//
+// With "recorded" the clock is the fixture's, and each step "record" writes what changed since the one before: elements, requests and all else that leaves the page.
 import {webcrypto} from 'node:crypto';
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
+import {Clock} from './page_clock.mjs';
+import {coreWorker} from './page_core.mjs';
+import {Changes} from './page_changes.mjs';
 
 const fixture = JSON.parse(fs.readFileSync(0, 'utf8'));
-const WIDTH = 640;
+const {recorded = false, box = [0, 0]} = fixture;
+let width = fixture.width ?? 640;  // of the window and of all in it [px]
+const later = setTimeout, clock = recorded ? new Clock() : null, log = [];
+const tellLog = (...words) => recorded && log.push(words);
 
 // --- A document.
 const VOID = ['meta', 'link', 'input', 'br'];
@@ -30,6 +38,10 @@ class Element {  // what few elements need is made when it is asked for
   addEventListener(name, act, {once = false} = {}) { ((this.listeners ??= {})[name] ??= []).push({act, once}); }
   dispatchEvent(event) {
     Object.defineProperty(event, 'target', {value: this, configurable: true});
+    for (let at = this; at; at = event.bubbles ? at.parent : null) at.hear(event);
+    return !event.defaultPrevented;
+  }
+  hear(event) {
     const heard = this.listeners?.[event.type] ?? [];
     if (heard.length) this.listeners[event.type] = heard.filter((one) => !one.once);
     for (const {act} of heard) act(event);
@@ -118,14 +130,24 @@ class Element {  // what few elements need is made when it is asked for
   get checked() { return this.ticked ?? this.attributes.has('checked'); }
   set checked(on) { this.ticked = on; }
   get id() { return this.getAttribute('id') ?? ''; }
-  get clientWidth() { return WIDTH; }
-  getBoundingClientRect() { return {left: 0, top: 0, right: WIDTH, bottom: 100, width: WIDTH, height: 100}; }
-  focus() { document.activeElement = this; }
+  get clientWidth() { return width; }
+  getBoundingClientRect() { return {left: box[0], top: box[1], right: box[0] + width, bottom: box[1] + 100, width, height: 100}; }
+  focus(how) {
+    const before = document.activeElement;
+    if (before === this) return;
+    tellLog('focus', placeOf(this), ...(how ? [how] : []));
+    document.activeElement = this;
+    before?.dispatchEvent(new Event('blur'));
+    this.dispatchEvent(new Event('focusin', {bubbles: true}));
+  }
   click() { this.dispatchEvent(new Event('click')); }
-  scrollIntoView() {}
-  setPointerCapture() {}
+  scrollIntoView(how) { tellLog('scrolled', placeOf(this), how); }
+  setPointerCapture(pointer) { tellLog('captured', pointer); }
   setSelectionRange(from, to) { this.selected = [from, to]; }
-  showModal() { this.open = true; }
+  showModal() {
+    this.modal = true;
+    this.open = true;
+  }
   close() { this.open = false; }
   matches(selector) { return selectorOf(selector).some((one) => one(this)); }
   closest(selector) {
@@ -133,18 +155,27 @@ class Element {  // what few elements need is made when it is asked for
       if (at.matches(selector)) return at;
     return null;
   }
+  *all() {
+    const left = [...this.childNodes].reverse();
+    while (left.length) {
+      const one = left.pop();
+      if (!(one instanceof Element)) continue;
+      yield one;
+      for (let i = one.childNodes.length - 1; i >= 0; i--) left.push(one.childNodes[i]);
+    }
+  }
   querySelectorAll(selector) {
-    const found = [], tests = selectorOf(selector), walk = (node) => {
-      for (const one of node.childNodes) {
-        if (!(one instanceof Element)) continue;
-        if (tests.some((test) => test(one))) found.push(one);
-        walk(one);
-      }
-    };
-    walk(this);
+    const found = [], tests = selectorOf(selector);
+    for (const one of this.all())
+      if (tests.some((test) => test(one))) found.push(one);
     return found;
   }
-  querySelector(selector) { return this.querySelectorAll(selector)[0] ?? null; }
+  querySelector(selector) {
+    const tests = selectorOf(selector);
+    for (const one of this.all())
+      if (tests.some((test) => test(one))) return one;
+    return null;
+  }
 }
 
 const SIMPLE = /([a-z][\w-]*)|\.([\w-]+)|#([\w.-]+)|\[([\w-]+)(?:=['"]?([^'"\]]*)['"]?)?\]/giy;
@@ -173,6 +204,8 @@ function selectorOf(text) {
   return selectors.get(text);
 }
 
+const placeOf = (element) => element.id || element.getAttribute('aria-label') || element.className || element.name;
+
 function parsed(html) {
   const root = new Element('html');
   let at = root;
@@ -192,36 +225,69 @@ function parsed(html) {
 
 let frames = [];
 const kept = {downloads: [], requests: [], jobs: [], failures: [], copied: []};
-const page = parsed(fs.readFileSync(`${fixture.web}/index.html`, 'utf8').replace('<!--orbearing:opened-->', '<script type="application/json" id="opened"></script>'));
+const page = parsed(fs.readFileSync(`${fixture.web}/index.html`, 'utf8').replace('<!--orbearing:opened-->', fixture.opened ? '<script type="application/json" id="opened"></script>' : ''));
 globalThis.document = {
   activeElement: null,
   title: '',
   body: page.querySelector('body'),
   createElement: (name) => new Element(name),
   createElementNS: (_, name) => new Element(name),
-  getElementById: (id) => page.querySelectorAll('[id]').find((one) => one.id === id) ?? null,
+  getElementById: (id) => {
+    for (const one of page.all())
+      if (one.attributes.get('id') === id) return one;
+    return null;
+  },
   querySelector: (selector) => page.querySelector(selector)
 };
-document.getElementById('opened').textContent = JSON.stringify(fixture.opened);
+if (fixture.opened) document.getElementById('opened').textContent = JSON.stringify(fixture.opened);
+const ofWindow = {}, ofWidth = [], resized = [];
 Object.assign(globalThis, {
-  location: {search: '?token=secret', hash: ''},
-  history: {replaceState: (_, __, address) => (kept.address = address)},
-  addEventListener: () => {},
+  location: {search: fixture.search ?? '?token=secret', hash: fixture.hash ?? ''},
+  history: {replaceState: (_, __, address) => {
+    kept.address = address;
+    tellLog('address', address.replace(/^.*\/app\/page\//, ''));
+  }},
+  addEventListener: (name, act) => (ofWindow[name] ??= []).push(act),
   removeEventListener: () => {},
   requestAnimationFrame: (act) => frames.push(act),
-  scrollTo: () => {},
-  setInterval: () => {},
-  matchMedia: (rule) => ({matches: fixture.narrow === true, media: rule, addEventListener: () => {}}),
-  ResizeObserver: class { observe() {} },
+  scrollTo: (...to) => tellLog('scrolled to', ...to),
+  print: () => tellLog('printed'),
+  setInterval: (act, every) => clock?.every(act, every),
+  matchMedia: (rule) => {
+    const most = Number(/^\(max-width: (\d+)px\)$/.exec(rule)[1]), heard = [];
+    const found = {get matches() { return recorded ? width <= most : fixture.narrow === true; }, media: rule, addEventListener: (name, act) => heard.push(act)};
+    ofWidth.push(() => heard.forEach((act) => act(found)));
+    return found;
+  },
+  ResizeObserver: class {
+    constructor(act) { resized.push(act); }
+    observe() {}
+  },
 });
 globalThis.window = globalThis;
+if (clock) {
+  globalThis.setTimeout = (act, after) => {
+    if (after) tellLog('timer', after);
+    return clock.once(act, after ?? 0);
+  };
+  performance.now = () => clock.now;
+}
 globalThis.crypto ??= webcrypto;  // no global before node 19
-Object.defineProperty(globalThis, 'navigator', {value: {sendBeacon: () => true, clipboard: {writeText: async (text) => kept.copied.push(text)}}});
+if (recorded) crypto.randomUUID = () => 'a page';
+Object.defineProperty(globalThis, 'navigator', {value: {
+  sendBeacon: (url) => {
+    tellLog('beacon', String(url).replace(/^.*\/app\/page\//, ''));
+    return true;
+  },
+  clipboard: {writeText: async (text) => kept.copied.push(text)}
+}});
 URL.createObjectURL = (blob) => {
   kept.downloads.push(blob);
+  tellLog('blob', blob.type, blob.size);
   return 'blob:kept';
 };
-URL.revokeObjectURL = () => {};
+URL.revokeObjectURL = (url) => tellLog('revoked', url);
+process.on('rejectionHandled', () => {});  // without a warning
 process.on('unhandledRejection', (error) => kept.failures.push(String(error?.stack ?? error)));
 console.error = (...words) => kept.failures.push(words.map((one) => String(one?.stack ?? one)).join(' '));
 
@@ -241,8 +307,9 @@ function answered({command, case_text: text, settings, options}) {
   const speed = numbersIn(settings.find((one) => one.startsWith('input.speed=')) ?? '')[0] ?? check.speed;
   const own = fixture.results[command] ?? {}, made = {...own, ...(check.results?.[command] ?? {})};
   if (command === 'check') return {body: check.check};
-  if (command === 'run' && check.check.model === 'planetary-drivetrain') return {body: {points: [pointAt(speed, which)], ...made}};
-  if (command === 'sweep') return {body: {points: numbersIn(settings[0]).map((one) => pointAt(one, which)), ...made}};
+  if (made.refused) return made.refused;
+  if (command === 'run' && check.check.model === 'planetary-drivetrain') return {body: {points: [{...pointAt(speed, which), ...check.nulls}], ...made}};
+  if (command === 'sweep') return {body: {points: numbersIn(settings[0]).map((one) => ({...pointAt(one, which), ...check.nulls})), ...made}};
   if (command === 'modes') return {body: made.at(numbersIn(options.speed)[0])};
   return {body: made};
 }
@@ -250,11 +317,19 @@ fixture.results.modes = {
   at: (speed) => ({modes: fixture.results.mode_list.map((mode, i) => ({...mode, frequency_Hz: mode.frequency_Hz * (1 + speed / (9e4 + 1e4 * i))}))})
 };
 
+// A request as it is recorded: texts of cases that the fixture has by their number.
+const asLogged = (body) => {
+  const which = whichCase(body?.case_text);
+  return which < 0 ? body : {...body, case_text: `text ${which}`};
+};
+const schemaOf = (which) => fixture.given_schemas?.[which] ?? JSON.parse(fs.readFileSync(`${fixture.schemas}/${which}.schema.json`, 'utf8'));
 const jobs = [];
 globalThis.fetch = async (url, init = {}) => {
   const path = String(url).replace(/^.*\/app\/page\//, ''), body = init.body ? JSON.parse(init.body) : undefined;
-  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => answer});
-  if (path.startsWith('schema/')) return respond({body: JSON.parse(fs.readFileSync(`${fixture.schemas}/${path.slice(7)}.schema.json`, 'utf8'))});
+  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => (recorded ? new Blob([answer]) : answer)});
+  tellLog('fetch', init.method ?? 'GET', path, ...(body ? [asLogged(body), init.headers] : []));
+  if (fixture.takes && body) clock.pass(fixture.takes[body.command] ?? 0);
+  if (path.startsWith('schema/')) return respond({body: schemaOf(path.slice(7))});
   if (path.startsWith('request')) {
     if (fixture.refusals?.length) {
       const refused = fixture.refusals.shift();
@@ -265,9 +340,14 @@ globalThis.fetch = async (url, init = {}) => {
     return respond(answered(body));
   }
   if (path.startsWith('alive')) return respond({body: {}});
-  if (path === 'templates') return respond({body: fixture.templates ?? []});
+  if (path.startsWith('web/schema/')) return respond({body: schemaOf(path.slice(11).replace('.json', ''))});
+  if (path === 'web/engine_wasm.wasm') return {...respond({body: ''}), arrayBuffer: async () => new ArrayBuffer(12)};
+  if (path === 'templates' || path === 'web/templates.json') return respond({body: fixture.templates ?? []});
   if (path === 'folders') return respond({body: fixture.folders ?? []});
-  if (path.startsWith('opened?results=')) return respond(fixture.folder_results ?? {status: 422, body: {code: 2, errors: ['a folder that differs']}});
+  if (path.startsWith('opened?results=')) {
+    const found = fixture.folder_results;
+    return respond((Array.isArray(found) ? found.shift() : found) ?? {status: 422, body: {code: 2, errors: ['a folder that differs']}});
+  }
   if (path === 'units') return respond(fixture.units[`${body.value} > ${body.unit}`] ?? {status: 422, body: {code: 2, errors: [`no unit ${body.unit}`]}});
   if (path.startsWith('report')) {
     kept.requests.push({path, ...body});
@@ -279,6 +359,8 @@ globalThis.fetch = async (url, init = {}) => {
   }
   if (path === 'jobs') {
     kept.jobs.push(body);
+    const refused = fixture.job_refusals?.shift();
+    if (refused) return respond(refused);
     jobs.push({body});
     return respond({status: 202, body: {job: String(jobs.length)}});
   }
@@ -293,12 +375,18 @@ globalThis.EventSource = class extends EventTarget {
   constructor(url) {
     super();
     this.url = String(url);
+    tellLog('events', this.url.replace(/^.*\/app\/page\//, ''));
     const job = jobs[Number(/jobs\/(\d+)\//.exec(this.url)[1]) - 1];
     job.source = this;
   }
+  static CLOSED = 2;
   tell(name, data) { this.dispatchEvent(Object.assign(new Event(name), {data: JSON.stringify(data)})); }
-  close() { this.readyState = 2; }
+  close() {
+    tellLog('events closed');
+    this.readyState = 2;
+  }
 };
+const core = coreWorker({folder: fixture.web, answered, log: tellLog, ...fixture.core});
 
 // --- What is seen.
 const isShown = (one) => !one.hidden && one.style.display !== 'none';
@@ -359,23 +447,35 @@ function drawingOf(svg) {
   return {...attributesOf(svg), parts: walk(svg)};
 }
 const settled = async () => {
-  do
+  do {
     for (let i = 0; i < 20; i++) await new Promise((resolve) => setImmediate(resolve));
-  while (document.body.classList.contains('busy'));
+    if (clock?.next !== null && clock?.next !== undefined && document.body.classList.contains('busy')) clock.pass(clock.next - clock.now);  // it waits for this
+  } while (document.body.classList.contains('busy'));
 };
 
 await import(pathToFileURL(`${fixture.web}/app.js`));
-while (!document.body.classList.contains('ready')) await new Promise((resolve) => setTimeout(resolve, 2));  // files are read
+while (!document.body.classList.contains('ready')) await new Promise((resolve) => later(resolve, 2));  // files are read
 await settled();
-const dumps = {};
-const find = (selector) => {
-  const found = page.querySelector(selector);
-  if (!found) throw new Error(`nothing is ${selector}`);
+// An engine is asked directly for what the page asks of none. Its answers are logged when they come.
+let asked = null;
+async function ask({engine, how, given = [], abort}) {
+  asked ??= (await import(pathToFileURL(`${fixture.web}/engine_${engine}.js`))).engine(location, fixture.opened);
+  const breaker = new AbortController();
+  if (abort === 'before') breaker.abort();
+  const told = ({name, message, code, errors}) => tellLog('refused', name, message, code ?? null, errors ?? null);
+  Promise.resolve(asked[how](...given, ...(abort ? [breaker.signal] : []))).then((found) => tellLog('answer', how, JSON.stringify(found).length > 500 ? Object.keys(found) : found), told);
+  if (abort === 'after') breaker.abort();
+}
+const nameOf = ({what, selector, value, event, ...more}) => [what, selector, event, value, ...Object.values(more).map((one) => JSON.stringify(one))].filter((one) => one !== undefined).join(' ');
+const dumps = {}, changes = new Changes(), record = [];
+const find = (selector, text) => {
+  const found = text === undefined ? page.querySelector(selector) : page.querySelectorAll(selector).find((one) => one.textContent === text);
+  if (!found) throw new Error(`nothing is ${selector}${text ?? ''}`);
   return found;
 };
-for (const step of fixture.steps) {
+async function act(step) {
   const {what, selector, value} = step;
-  if (what === 'click') find(selector).dispatchEvent(new Event('click', {cancelable: true}));
+  if (what === 'click') find(selector, step.text).dispatchEvent(new Event('click', {cancelable: true}));
   else if (what === 'set') {
     const one = find(selector);
     one.focus();
@@ -393,6 +493,33 @@ for (const step of fixture.steps) {
       const now = frames;
       frames = [];
       for (const act of now) act(time);
+    }
+  else if (what === 'press') {
+    const event = Object.assign(new Event(step.event, {cancelable: true, bubbles: true}), step.data), goes = find(selector).dispatchEvent(event);
+    tellLog(goes ? 'goes on' : 'prevented');
+  } else if (what === 'window') for (const act of ofWindow[step.event] ?? []) act(new Event(step.event));
+  else if (what === 'resize') {
+    width = step.width;
+    ofWidth.forEach((act) => act());
+    resized.forEach((act) => act());
+  } else if (what === 'time') clock.pass(step.by);
+  else if (what === 'post') core.post(step.data);
+  else if (what === 'deliver') core.deliver(step.count);
+  else if (what === 'ask') await ask(step);
+  else if (what === 'files') {
+    const one = find(selector);
+    one.files = step.files.map(({name, text}) => ({name, text: async () => text}));
+    one.dispatchEvent(new Event('change'));
+    await settled();
+    delete one.files;
+  } else if (what === 'broken') {
+    const {source} = jobs.at(-1);
+    source.readyState = step.state;
+    source.onerror();
+  } else if (what === 'tells')
+    for (const data of step.all) {
+      clock.pass(step.each);
+      jobs.at(-1).source.tell(step.event, data);
     }
   else if (what === 'tell') jobs.at(-1).source.tell(step.event, step.data);
   else if (what === 'points') {
@@ -423,8 +550,16 @@ for (const step of fixture.steps) {
       body: document.body.className, focused: document.activeElement?.id ?? ''
     };
     if (step.narrowly) dumps[step.name] = Object.fromEntries(step.narrowly.map((name) => [name, dumps[step.name][name]]));
-  } else throw new Error(`an unknown step: ${what}`);
+  } else if (what === 'together')  // without a pause between them
+    for (const one of step.all) act(one);
+  else if (what !== 'record') throw new Error(`an unknown step: ${what}`);
+}
+for (const step of fixture.steps) {
+  await act(step);
   await settled();
+  if (recorded) {
+    record.push({step: step.name ?? nameOf(step), page: changes.of(page), log: log.splice(0), title: document.title, focused: document.activeElement ? placeOf(document.activeElement) : ''});
+  }
 }
 const texts = await Promise.all(kept.downloads.map((one) => one.text?.() ?? String(one)));
-process.stdout.write(JSON.stringify({dumps, ...kept, downloads: texts}), () => process.exit(0));
+process.stdout.write(JSON.stringify({dumps, ...kept, downloads: texts, record}), () => process.exit(0));

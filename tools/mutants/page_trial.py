@@ -49,7 +49,7 @@ class PageCopies:
 
     def ask(self, test: pathlib.Path, place: pathlib.Path, seconds: float) -> tuple[int, str]:
         environment = os.environ | {"ORBEARING": str(self.program), "ORBEARING_SOURCE_DIR": str(place), "PYTHONDONTWRITEBYTECODE": "1"}
-        code, output = run([sys.executable, str(test)], seconds, env=environment, cwd=place)
+        code, output = run([sys.executable, str(test), "--failfast"], seconds, env=environment, cwd=place)
         if code == SKIPPED:
             raise RuntimeError(f"{test.name} is {output.strip()}; it judges errors in {FOLDER}")
         return code, output
@@ -64,6 +64,7 @@ class PageCopies:
             if code != 0:
                 tell(f"{test.name} is left out: it fails without any error\n{output[-600:]}")
                 self.tests.remove(test)
+        self.tests.sort(key=lambda test: self.times[test.name])  # quick ones first
         self.free.put(place)
 
     def finder(self, mutant: Mutant) -> tuple[str, str]:

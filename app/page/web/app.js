@@ -229,8 +229,7 @@ class Page {
       this.variants.update(what);
       this.showBar();
     }
-    if (what === 'failed')
-      for (const card of this.cards) card.session = session;
+    if (what === 'failed') this.showFailed();
     document.body.classList.toggle('stale', session.errors.length > 0 || Boolean(session.failure));
     const mend = session.errors.length ?
         `${errorCount(session.errors.length)}: ${
@@ -243,6 +242,20 @@ class Page {
           session.failure            ? 'failed' :
           session.took.case          ? `computed in ${readable(session.took.case, 3)} ms` :
                                        '';
+  }
+
+  // Results stay beside a case with errors where they are of its last valid text, not of another file.
+  showFailed() {
+    const {session} = this;
+    for (const card of this.cards) {
+      if (session.check)
+        card.session = session;
+      else
+        card.update(session, 'failed');
+    }
+    if (session.check) return;
+    this.variants.update('failed');
+    at('tiles').hidden = at('cursor-part').hidden = true;
   }
 
   showErrors() {

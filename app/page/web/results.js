@@ -163,28 +163,18 @@ function manyOf(key, list, about, unit, title, units, path) {
       ...lists);
 }
 
-/** All numbers of a point as a table; `others` beside it, with headings. */
-export function pointTable(point, meanings, others = []) {
+/** All numbers of a point as a table. */
+export function pointTable(point, meanings) {
   const keys = Object.keys(point).filter(
       (key) => point[key] !== null && typeof point[key] !== 'object' && key !== 'refined');
-  const head = others.length ?
-      element(
-          'thead', {},
-          element(
-              'tr', {}, element('th', {scope: 'col'}, 'Result'), element('th', {scope: 'col'}, 'now'),
-              ...others.map(([name]) => element('th', {scope: 'col'}, name)))) :
-      null;
-  return element('table', {class: 'values'}, head, element('tbody', {}, ...keys.map((key) => {
-                   const {unit = '', description = ''} = meanings.of(key);
-                   const show = (value) =>
-                       (typeof value === 'number' || value === null || value === undefined ?
-                            figure(value, unit) :
-                            element('span', {}, String(value)));
+  return element('table', {class: 'values'}, element('tbody', {}, ...keys.map((key) => {
+                   const {unit = '', description = ''} = meanings.of(key), value = point[key];
                    return element(
                        'tr', {}, element('th', {scope: 'row', title: key}, meanings.label(key)),
-                       element('td', {'data-key': key}, show(point[key])),
-                       ...others.map(([, other]) => element('td', {}, show(other[key]))),
-                       others.length ? null : element('td', {class: 'meaning'}, description));
+                       element(
+                           'td', {'data-key': key},
+                           typeof value === 'number' ? figure(value, unit) : element('span', {}, String(value))),
+                       element('td', {class: 'meaning'}, description));
                  })));
 }
 
