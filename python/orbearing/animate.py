@@ -159,7 +159,7 @@ def animate(folder: Path, into: Path, begin: float, seconds: float, frames: int)
     times = np.linspace(start, min(start + seconds, end), frames)
     if into.suffix == ".png":
         figure = Figure(figsize=(3.2 * min(frames, 6), 2.2), layout="constrained")
-        for part, time in zip(figure.subfigures(1, min(frames, 6)), np.linspace(times[0], times[-1], min(frames, 6))):
+        for part, time in zip(figure.subfigures(1, min(frames, 6), squeeze=False)[0], np.linspace(times[0], times[-1], min(frames, 6))):
             Drawing(part, values, run).show(time)
         figure.savefig(into, dpi=90)
         return

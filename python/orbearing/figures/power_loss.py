@@ -38,6 +38,8 @@ def block(report: Report) -> FigureBlock:
     total = losses.sum(axis=0)
     shares = 100 * losses / np.where(total > 0, total, 1.0)
     seen = shares.max(axis=1) >= LEAST_SHARE
+    if not seen.any():
+        return FigureBlock(SLUG, TITLE, missing="No point of this sweep loses power.")
     pictures = (_draw(speed, losses, seen, "power lost in one bearing (W)", "watts"),
                 _draw(speed, shares, seen, "share of the loss (%)", "shares"))
     return FigureBlock(SLUG, TITLE, _caption(seen | ~there), pictures, data=_table(speed, losses, total))

@@ -284,7 +284,7 @@ class StageCase:
                 self.draft.put("gearset.sun_bore_ratio", round(value / sun_root, 9), origin)
                 break
         for value, origin in self._sections(self.stage.ring, "section_outside"):
-            if 1.005 <= value / ring_root <= 20.0:
+            if value and 1.005 <= value / ring_root <= 20.0:
                 self.draft.put("gearset.ring_outside_ratio", round(value / ring_root, 9), origin)
                 break
         size = teeth.module * (numbers["planet"] - 2.5)
