@@ -467,7 +467,7 @@ for (const begun = Date.now(); !document.body.classList.contains('ready');) {
 }
 await settled();
 // An engine is asked directly for what the page asks of none. Its answers are logged when they come.
-let asked = null;
+let asked = null, chart = null;
 async function ask({engine, how, given = [], abort}) {
   asked ??= (await import(pathToFileURL(`${fixture.web}/engine_${engine}.js`))).engine(location, fixture.opened);
   const breaker = new AbortController();
@@ -515,8 +515,10 @@ async function act(step) {
   } else if (what === 'time') clock.pass(step.by);
   else if (what === 'chart') {  // one that no card draws
     const {Chart} = await import(pathToFileURL(`${fixture.web}/charts.js`));
-    document.body.append(globalThis.charted = new Element('section'));
-    globalThis.chart = new Chart(charted, {title: 'a chart', ...(step.moved ? {moved: (x) => tellLog('moved', x), picked: (...at) => tellLog('picked', ...at)} : {}), ...step.options});
+    page.querySelector('article')?.remove();
+    const root = new Element('article');
+    document.body.append(root);
+    chart = new Chart(root, {title: 'a chart', ...(step.moved ? {moved: (x) => tellLog('moved', x), picked: (...at) => tellLog('picked', ...at)} : {}), ...step.options});
     if (step.state) chart.set(step.state);
   } else if (what === 'chart cursor') chart.setCursor(step.value);
   else if (what === 'post') core.post(step.data);

@@ -158,9 +158,10 @@ def chart(series, x=None, y=None, options=None, moved=False, **more):
 
 UP, DOWN = [[0.0, 1.0], [1.0, 5.0], [2.0, 2.0]], [[0.0, 5.0], [1.0, 1.0], [2.0, 4.0]]
 CHARTS = [
-    {"what": "chart", "options": {}, "moved": True, "state": None}, {"what": "chart cursor", "value": 1.0}, press("section .chart", buttons=1, clientX=300, clientY=50, pointerId=1), resize(700),
+    {"what": "chart", "options": {}, "moved": True, "state": None}, {"what": "chart cursor", "value": 1.0}, press("article .chart", buttons=1, clientX=300, clientY=50, pointerId=1), resize(700),
     chart([UP, DOWN], {"low": 0.5, "high": 1.5, "unit": "mm"}, {"unit": "1"}, marks=[{"x": 1.0, "label": "a mark"}, {"x": 0.25, "label": "left of it"}, {"x": 1.75, "label": "right of it"}, {"x": None, "label": "nowhere"}], cursor=1.25, moved=True),
     *({"what": "chart cursor", "value": value} for value in (0.25, 1.75, 0.5, 1.5, None, 0.75)),
+    press("article .chart", buttons=1, clientX=300, clientY=50, pointerId=9), press("article .chart", "pointermove", buttons=1, clientX=411, clientY=170), press("article .chart", buttons=2, clientX=411, clientY=170, pointerId=9), press("article .chart", buttons=1, clientX=9, clientY=9, pointerId=9),
     chart([UP], {"low": 3.0, "high": 3.0}), chart([UP], {"low": 4.0, "high": 3.0}), chart([UP], {"low": -2.0, "high": -2.0}), chart([UP], marks=[{"x": 7.0, "label": "far, and a long label of many letters"}, {"x": -5.0, "label": "far on the other side of it"}]),
     chart([{"label": "without a key", "points": UP}, {"label": "the same", "points": UP, "dots": True, "title": "titled"}, {"key": "k", "points": DOWN, "only": True, "colour": "c5"}, {"label": "third", "points": UP, "dash": "1 1"}, {"label": "fourth", "points": UP}]),
     chart([{"label": f"of {name}", "points": UP if name == "A" else DOWN, "group": name} for name in "ABAB"]), chart([[[0.0, None], [None, 2.0], [1.0, 3.0], [2.0, 4.0]]]), chart([[[0.0, 1e8], [1.0, 2.5e8]]], options={"height": 120}), chart([[[1e7, 1.0], [2e7, 3.0]]]),
