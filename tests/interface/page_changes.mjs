@@ -20,39 +20,60 @@ function contents(node) {
   return parts.map(({text, name, count}) => name ? `<${name}${count > 1 ? `*${count}` : ''}>` : text).join('');
 }
 
+const attributeOf = ([name, value]) => `${name}="${EXACT.has(name) ? value : brief(value)}"`;
 function lineOf(node) {
-  const attributes = [...node.attributes].map(([name, value]) => `${name}="${EXACT.has(name) ? value : brief(value)}"`).sort(),
-        styles = Object.entries(node.properties ?? {}).filter(([, value]) => value !== '').map(([name, value]) => `${name}: ${brief(String(value))}`).sort(),
-        states = Object.keys(node).filter((key) => !NO_STATE.has(key)).sort().map((key) => `${key}=${JSON.stringify(node[key]) ?? ''}`);
-  return [...attributes, ...styles, ...states, contents(node)].filter(Boolean).join(' ');
+  const parts = node.attributes.size ? Array.from(node.attributes, attributeOf).sort() : [];
+  if (node.properties)
+    parts.push(...Object.entries(node.properties).filter(([, value]) => value !== '').map(([name, value]) => `${name}: ${brief(String(value))}`).sort());
+  for (const key of Object.keys(node).sort())
+    if (!NO_STATE.has(key)) parts.push(`${key}=${JSON.stringify(node[key]) ?? ''}`);
+  if (node.childNodes.length) parts.push(contents(node));
+  return parts.filter(Boolean).join(' ');
 }
 
-function linesOf(root) {
-  const lines = new Map();
-  const walk = (node, place) => {
-    lines.set(place, lineOf(node));
-    const counts = {};
-    for (const child of node.childNodes) {
-      if (isText(child)) continue;
-      const id = child.attributes.get('id'), named = NAMED.find((name) => child.attributes.has(name));
-      const step = id ? `#${id}` : `${place}>${child.name}${named ? `[${child.attributes.get(named)}]` : ''}`, count = (counts[step] = (counts[step] ?? 0) + 1);
-      walk(child, count > 1 ? `${step}~${count}` : step);
-    }
-  };
-  walk(root, '');
-  return lines;
+// Where the elements of a node are: by their id, else below the node by what tells them from others.
+function placesIn(node, place) {
+  const counts = {}, found = [];
+  for (const child of node.childNodes) {
+    if (isText(child)) continue;
+    const id = child.attributes.get('id'), named = NAMED.find((name) => child.attributes.has(name));
+    const step = id ? `#${id}` : `${place}>${child.name}${named ? `[${child.attributes.get(named)}]` : ''}`, count = (counts[step] = (counts[step] ?? 0) + 1);
+    found.push(count > 1 ? `${step}~${count}` : step);
+  }
+  return found;
 }
+const isSame = (one, other) => one.length === other.length && one.every((child, i) => child === other[i]);
 
 export class Changes {
-  constructor() { this.before = new Map(); }
+  constructor() {
+    this.lines = new Map();    // of each place: {line, time}
+    this.within = new WeakMap();  // of each node: its place, its children and their places
+    this.time = 0;
+  }
   /** Since the time before: {place: its line, null of what is gone}. */
   of(root) {
-    const now = linesOf(root), found = {};
-    for (const [place, line] of now)
-      if (this.before.get(place) !== line) found[place] = line;
-    for (const place of this.before.keys())
-      if (!now.has(place)) found[place] = null;
-    this.before = now;
+    const found = {}, time = ++this.time;
+    const walk = (node, place) => {
+      const line = lineOf(node), known = this.lines.get(place);
+      if (known?.line !== line) found[place] = line;
+      if (known) Object.assign(known, {line, time});
+      else this.lines.set(place, {line, time});
+      if (!node.childNodes.length) return;
+      let inner = this.within.get(node);
+      if (inner?.place !== place || !isSame(inner.children, node.childNodes)) {
+        inner = {place, children: [...node.childNodes], places: placesIn(node, place)};
+        this.within.set(node, inner);
+      }
+      let i = 0;
+      for (const child of node.childNodes)
+        if (!isText(child)) walk(child, inner.places[i++]);
+    };
+    walk(root, '');
+    for (const [place, known] of this.lines)
+      if (known.time !== time) {
+        found[place] = null;
+        this.lines.delete(place);
+      }
     return found;
   }
 }

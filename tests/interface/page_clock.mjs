@@ -1,7 +1,7 @@
 // A clock that stands still until it is moved on, with its timers.
 export class Clock {
   constructor() {
-    this.now = 0;  // [ms]
+    this.now = 1000;  // [ms]
     this.timers = [];
   }
   once(act, after) { this.timers.push({act, at: this.now + after}); }

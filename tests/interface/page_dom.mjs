@@ -155,26 +155,27 @@ class Element {  // what few elements need is made when it is asked for
       if (at.matches(selector)) return at;
     return null;
   }
-  *all() {
-    const left = [...this.childNodes].reverse();
-    while (left.length) {
-      const one = left.pop();
-      if (!(one instanceof Element)) continue;
-      yield one;
-      for (let i = one.childNodes.length - 1; i >= 0; i--) left.push(one.childNodes[i]);
+  // The first element below it that passes, in the order of the document.
+  first(test) {
+    for (const one of this.childNodes) {
+      if (!one.childNodes) continue;
+      if (test(one)) return one;
+      const inner = one.first(test);
+      if (inner) return inner;
     }
+    return null;
   }
   querySelectorAll(selector) {
     const found = [], tests = selectorOf(selector);
-    for (const one of this.all())
+    this.first((one) => {
       if (tests.some((test) => test(one))) found.push(one);
+      return false;
+    });
     return found;
   }
   querySelector(selector) {
     const tests = selectorOf(selector);
-    for (const one of this.all())
-      if (tests.some((test) => test(one))) return one;
-    return null;
+    return this.first((one) => tests.some((test) => test(one)));
   }
 }
 
@@ -187,7 +188,7 @@ function partOfSelector(text) {
     if (!one) throw new Error(`a selector that this document does not read: ${text}`);
     const [, tag, name, id, attribute, value] = one;
     tests.push((element) => tag ? element.name === tag.toLowerCase() :
-        name                    ? element.attributes.has('class') && element.classList.contains(name) :
+        name                    ? ` ${element.attributes.get('class') ?? ''} `.includes(` ${name} `) :
         id                      ? element.id === id :
         value === undefined     ? element.attributes.has(attribute) :
                                   element.getAttribute(attribute) === value);
@@ -232,11 +233,7 @@ globalThis.document = {
   body: page.querySelector('body'),
   createElement: (name) => new Element(name),
   createElementNS: (_, name) => new Element(name),
-  getElementById: (id) => {
-    for (const one of page.all())
-      if (one.attributes.get('id') === id) return one;
-    return null;
-  },
+  getElementById: (id) => page.first((one) => one.attributes.get('id') === id),
   querySelector: (selector) => page.querySelector(selector)
 };
 if (fixture.opened) document.getElementById('opened').textContent = JSON.stringify(fixture.opened);
@@ -271,8 +268,17 @@ if (clock) {
     return clock.once(act, after ?? 0);
   };
   performance.now = () => clock.now;
+} else {
+  let reads = 0;  // how many speeds a curve has depends on the time that it takes, not on how busy this machine is
+  performance.now = () => ++reads;
 }
-globalThis.crypto ??= webcrypto;  // no global before node 19
+globalThis.crypto ??= webcrypto;  // no globals before node 19
+globalThis.CustomEvent ??= class extends Event {
+  constructor(name, {detail = null} = {}) {
+    super(name);
+    this.detail = detail;
+  }
+};
 if (recorded) crypto.randomUUID = () => 'a page';
 Object.defineProperty(globalThis, 'navigator', {value: {
   sendBeacon: (url) => {
@@ -306,7 +312,7 @@ function answered({command, case_text: text, settings, options}) {
   if (!check || check.errors) return {status: 422, body: {code: 2, errors: check?.errors ?? [`an unexpected text: ${text}`]}};
   const speed = numbersIn(settings.find((one) => one.startsWith('input.speed=')) ?? '')[0] ?? check.speed;
   const own = fixture.results[command] ?? {}, made = {...own, ...(check.results?.[command] ?? {})};
-  if (command === 'check') return {body: check.check};
+  if (command === 'check') return check.results?.check?.refused ?? {body: check.check};
   if (made.refused) return made.refused;
   if (command === 'run' && check.check.model === 'planetary-drivetrain') return {body: {points: [{...pointAt(speed, which), ...check.nulls}], ...made}};
   if (command === 'sweep') return {body: {points: numbersIn(settings[0]).map((one) => ({...pointAt(one, which), ...check.nulls})), ...made}};
@@ -326,7 +332,11 @@ const schemaOf = (which) => fixture.given_schemas?.[which] ?? JSON.parse(fs.read
 const jobs = [];
 globalThis.fetch = async (url, init = {}) => {
   const path = String(url).replace(/^.*\/app\/page\//, ''), body = init.body ? JSON.parse(init.body) : undefined;
-  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => (recorded ? new Blob([answer]) : answer)});
+  const json = (answer) => {
+    if (answer === 'no JSON') throw new SyntaxError(answer);
+    return answer;
+  };
+  const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => json(answer), text: async () => String(answer), blob: async () => (recorded ? new Blob([answer]) : answer)});
   tellLog('fetch', init.method ?? 'GET', path, ...(body ? [asLogged(body), init.headers] : []));
   if (fixture.takes && body) clock.pass(fixture.takes[body.command] ?? 0);
   if (path.startsWith('schema/')) return respond({body: schemaOf(path.slice(7))});
@@ -454,10 +464,13 @@ const settled = async () => {
 };
 
 await import(pathToFileURL(`${fixture.web}/app.js`));
-while (!document.body.classList.contains('ready')) await new Promise((resolve) => later(resolve, 2));  // files are read
+for (const begun = Date.now(); !document.body.classList.contains('ready');) {
+  await new Promise((resolve) => later(resolve, 2));  // files are read
+  if (kept.failures.length && Date.now() - begun > 60e3) throw new Error(`the page does not begin: ${kept.failures.join(' ')}`);
+}
 await settled();
 // An engine is asked directly for what the page asks of none. Its answers are logged when they come.
-let asked = null;
+let asked = null, chart = null;
 async function ask({engine, how, given = [], abort}) {
   asked ??= (await import(pathToFileURL(`${fixture.web}/engine_${engine}.js`))).engine(location, fixture.opened);
   const breaker = new AbortController();
@@ -503,6 +516,14 @@ async function act(step) {
     ofWidth.forEach((act) => act());
     resized.forEach((act) => act());
   } else if (what === 'time') clock.pass(step.by);
+  else if (what === 'chart') {  // one that no card draws
+    const {Chart} = await import(pathToFileURL(`${fixture.web}/charts.js`));
+    page.querySelector('article')?.remove();
+    const root = new Element('article');
+    document.body.append(root);
+    chart = new Chart(root, {title: 'a chart', ...(step.moved ? {moved: (x) => tellLog('moved', x), picked: (...at) => tellLog('picked', ...at)} : {}), ...step.options});
+    if (step.state) chart.set(step.state);
+  } else if (what === 'chart cursor') chart.setCursor(step.value);
   else if (what === 'post') core.post(step.data);
   else if (what === 'deliver') core.deliver(step.count);
   else if (what === 'ask') await ask(step);
@@ -557,7 +578,7 @@ async function act(step) {
 for (const step of fixture.steps) {
   await act(step);
   await settled();
-  if (recorded) {
+  if (recorded && !step.unseen) {
     record.push({step: step.name ?? nameOf(step), page: changes.of(page), log: log.splice(0), title: document.title, focused: document.activeElement ? placeOf(document.activeElement) : ''});
   }
 }

@@ -1044,7 +1044,7 @@ class Edited(Drawn):
 
     def test_a_curve_that_takes_long_has_few_speeds(self):
         """Speeds of the curve: nine at first, sixty where they take no long time."""
-        found = page([dump(narrowly=["cursor"]), text_put(OTHER)], (CASE, OTHER))
+        found = page([dump(narrowly=["cursor"]), text_put(OTHER)], (CASE, OTHER), recorded=True, takes={"sweep": 30})
         self.assertEqual([len(one["settings"][0].split(",")) for one in found["requests"] if one["command"] == "sweep"], [9, 60, 60])
 
 

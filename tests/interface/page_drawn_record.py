@@ -2,7 +2,7 @@
 """All that the page draws and sends is as it was recorded: each element, text, attribute, point of a path, request and message after each step of page_scenes.py.
 
     page_drawn_record.py                    compares with page_drawn_record.json.xz; the message names scene, step and element with both values
-    page_drawn_record.py --record           writes it anew, after a change that is meant; look at what it prints
+    page_drawn_record.py --record           writes it anew, after a change that is meant; look at what it prints. Names of scenes behind it: these alone
     page_drawn_record.py --record --cases   checks the cases by the program and takes the schemas anew before, into page_cases.json.xz
 
 The program is not asked otherwise: cases and schemas are those of page_cases.json.xz, so that a new input or default changes no record.
@@ -169,13 +169,14 @@ def main(words):
     if "--cases" in words:
         write(GIVEN, given_anew())
     given, before = read(GIVEN), read(RECORD) if RECORD.exists() else {}
-    found = {name: played(name, given) for name in (*SCENES, FUNCTIONS)}
+    wanted = [word for word in words if not word.startswith("--")] or [*SCENES, FUNCTIONS]
+    found = {name: played(name, given) for name in wanted}
     for name, steps in found.items():
         print(name, "is new" if name not in before else "\n".join(differences(name, steps, before[name])[:3]) or "as before", sep=": ")
         for step in steps:
             if step.get("failed"):
                 sys.exit(step["failed"])
-    write(RECORD, found)
+    write(RECORD, {name: found.get(name, before.get(name)) for name in (*SCENES, FUNCTIONS)})
 
 
 if __name__ == "__main__":

@@ -133,7 +133,13 @@ def lives(name, **nulls):
 AXES["more labels"] = made("plain", "more labels", results={"run": {**RUN, **along([1.0, 2.0], [3.0, 4.0], [8100.0, 9990.0])}}, steps=[resize(300), resize(240), resize(180), resize(800)])
 
 
-LOGS = {"one life": lives("one life", life_h=5.0), "three decades": lives("three decades", life_h=2.0, L10h=1990.0), "more than three decades": lives("more than three decades", life_h=2.0, L10h=2100.0),
+def of_points(*rows):
+    return [{"input_speed_rpm": 8000.0 + 1000.0 * i, "status": "ok", **row} for i, row in enumerate(rows)]
+
+
+LOGS = {"first without": made("planets", "first without", results={"sweep": {**SWEEP, "points": of_points({"life_h": 1.0, "planet_load_N": 5.0}, {"life_h": 2.0, "L10h": 3.0, "planet_load_N": 6.0}, {"life_h": 4.0, "L10h": 5.0, "planet_load_N": 7.0})}}),
+        "alike below nought": made("planets", "alike below nought", results={"sweep": {**SWEEP, "points": of_points(*({"life_h": one, "L10h": one, "L10rh": other} for one, other in ((1.0, 2.0), (-1.0, 0.0), (3.0, 9.0))))}}),
+        "other choice": made("planets", "other choice", nulls={"contact_pressure_max_MPa": None}, results={"run": {**RUN, "verdicts": []}}), "one life": lives("one life", life_h=5.0), "three decades": lives("three decades", life_h=2.0, L10h=1990.0), "more than three decades": lives("more than three decades", life_h=2.0, L10h=2100.0),
         "no life": lives("no life", life_h=None), "below nought": lives("below nought", life_h=-1.0, L10h=0.0), "below and above": lives("below and above", life_h=-1.0, L10h=30.0),
         "19 percent": lives("19 percent", life_h=100.0, L10h=119.0), "21 percent": lives("21 percent", life_h=100.0, L10h=121.0),
         "peak at the end": made("planets", "peak at the end", results={"sweep": {**SWEEP, "peak": {"life_key": "L10h", "speed_rpm": HIGH, "life_h": 7.0}}}),
@@ -144,12 +150,31 @@ LOGS = {"one life": lives("one life", life_h=5.0), "three decades": lives("three
         "loads alike": made("planets", "loads alike", nulls={"planet_load_N": 1e6, "tangential_load_N": 5e5, "centrifugal_load_N": 10.0, "radial_mesh_load_N": 5.0}),
         "failed points": made("planets", "failed points", nulls={"status": "failed"})}
 
+# --- Charts as no card has them.
+def chart(series, x=None, y=None, options=None, moved=False, **more):
+    return {"what": "chart", "options": options or {}, "moved": moved, "state": {"series": [{"key": f"s{i}", "label": f"series {i}", "points": points} if isinstance(points, list) else points for i, points in enumerate(series)],
+                                                                                  "x": {"label": "across", **(x or {})}, "y": {"label": "up", **(y or {})}, **more}}
+
+
+UP, DOWN = [[0.0, 1.0], [1.0, 5.0], [2.0, 2.0]], [[0.0, 5.0], [1.0, 1.0], [2.0, 4.0]]
+CHARTS = [
+    {"what": "chart", "options": {}, "moved": True, "state": None}, {"what": "chart cursor", "value": 1.0}, press("article .chart", buttons=1, clientX=300, clientY=50, pointerId=1), resize(700),
+    chart([UP, DOWN], {"low": 0.5, "high": 1.5, "unit": "mm"}, {"unit": "1"}, marks=[{"x": 1.0, "label": "a mark"}, {"x": 0.25, "label": "left of it"}, {"x": 1.75, "label": "right of it"}, {"x": None, "label": "nowhere"}], cursor=1.25, moved=True),
+    *({"what": "chart cursor", "value": value} for value in (0.25, 1.75, 0.5, 1.5, None, 0.75)),
+    press("article .chart", buttons=1, clientX=300, clientY=50, pointerId=9), press("article .chart", "pointermove", buttons=1, clientX=411, clientY=170), press("article .chart", buttons=2, clientX=411, clientY=170, pointerId=9), press("article .chart", buttons=1, clientX=9, clientY=9, pointerId=9),
+    chart([UP], {"low": 3.0, "high": 3.0}), chart([UP], {"low": 4.0, "high": 3.0}), chart([UP], {"low": -2.0, "high": -2.0}), chart([UP], marks=[{"x": 7.0, "label": "far, and a long label of many letters"}, {"x": -5.0, "label": "far on the other side of it"}]),
+    chart([{"label": "without a key", "points": UP}, {"label": "the same", "points": UP, "dots": True, "title": "titled"}, {"key": "k", "points": DOWN, "only": True, "colour": "c5"}, {"label": "third", "points": UP, "dash": "1 1"}, {"label": "fourth", "points": UP}]),
+    chart([{"label": f"of {name}", "points": UP if name == "A" else DOWN, "group": name} for name in "ABAB"]), chart([[[0.0, None], [None, 2.0], [1.0, 3.0], [2.0, 4.0]]]), chart([[[0.0, 1e8], [1.0, 2.5e8]]], options={"height": 120}), chart([[[1e7, 1.0], [2e7, 3.0]]]),
+    chart([[[0.0, 1.0], [1.0, 2e3]], [[0.0, 0.0], [1.0, 3.0]]], y={"log": True, "unit": "um"}, empty="nothing"), chart([[[0.0, 0.0]]], y={"log": True}, empty="nothing at all"), chart([[]]), chart([[[-3.0, -2.0], [-1.0, -1.9]]], {"unit": "N.m"}), resize(1000)]
+
 # --- Drawings.
 DRAWN = [
     opened("modes"), click("#card-bearing .play"), frames(500, 1500), frames(2750), put("#card-bearing .player select", "16"), frames(7000), put("#card-bearing .player input", "800", "input"), frames(7500),
     click("#card-bearing .play"), frames(9000), cursor_put(8400), frames(9100), put("#mode-choice", "translational 2"), click("#card-modes .play"), frames(10000), frames(10500, 10700),
     put("#card-modes .player input", "50", "input"), click("#card-modes .play"), frames(12000), press("#card-modes .chart", buttons=1, clientX=400, clientY=120, pointerId=3),
-    press("#card-modes .chart", buttons=1, clientX=250, clientY=300, pointerId=3), put("#mode-choice", "planet 1"), resize(1600), text_put(OTHER), put("#mode-choice", "translational 1")]
+    press("#card-modes .chart", buttons=1, clientX=250, clientY=300, pointerId=3), put("#mode-choice", "planet 1"), resize(1600), text_put(OTHER), put("#mode-choice", "translational 1"), {"what": "open", "selector": "#card-gears", "value": False}, put("#card-bearing .player input", "300", "input"), frames(12500), {"what": "open", "selector": "#card-gears"},
+    together(text_put(CASE), press("#card-modes .chart", buttons=1, clientX=400, clientY=200, pointerId=3)), together(cursor_put(8600), press("#card-modes .chart", buttons=1, clientX=400, clientY=380, pointerId=3), cursor_put(8700)),
+    click("#card-modes .play"), frames(13000), put("#mode-choice", "rotational 1"), frames(13400), text_put(f"{CASE}# bad\n"), cursor_put(8800)]
 UNEVEN = [{**ROLLERS[0], "angle_deg": [(7.0 + 360 * j / ROLLER) % 360 for j in range(ROLLER)]}]
 BEARINGS = {
     "without rings": made("planets", "without rings", lambda check: with_inputs(check, bearing__rings="none")), "on the pin": made("rings", "on the pin"),
@@ -176,7 +201,7 @@ BEARINGS = {
                                                                          gearset__profile_shift__ring=None), "power_flow": []}),
     "moving ring": made("planets", "moving ring", lambda check: {**check, "power_flow": [{**one, "speed_rpm": {"sun": 3000.0, "ring": -9000.0, "carrier": 500.0}.get(one["member"], 1.0)} for one in check["power_flow"]]},
                         steps=[put("#card-bearing .player input", "300", "input"), frames(100)]),
-    "no tooth": made("planets", "no tooth", lambda check: with_inputs(check, gearset__teeth__sun=None)), "no module": made("planets", "no module", lambda check: with_inputs(check, gearset__module=0.0)),
+    "no tooth at all": made("planets", "no tooth at all", lambda check: with_inputs(check, gearset__teeth__sun=None), steps=[put("#card-bearing .player input", "600", "input"), frames(200)]), "no tooth": made("planets", "no tooth", lambda check: with_inputs(check, gearset__teeth__sun=None)), "no module": made("planets", "no module", lambda check: with_inputs(check, gearset__module=0.0)),
     "without a quarter": made("planets", "without a quarter", results={"modes": {"refused": {"body": {"modes": [{key: value for key, value in mode.items() if key != "shape_quarter"} for mode in MODES]}}}},
                               steps=[opened("modes")]),
     "other kinds": made("planets", "other kinds", results={"modes": {"refused": {"body": {"modes": [{**MODES[0], "kind": "planar"}, *MODES[1:]]}}}}, steps=[put("#mode-choice", "planar 1")]),
@@ -209,7 +234,8 @@ TILES = {
     "no bins": judged("no bins", {"spectrum": {"life_key": "L10rh", "L10rh": 4321.0, "bins": []}}, {"spectrum": {"bins": []}}),
     "sets": judged("sets", {"verdicts": [{**VERDICTS[0], "value": 7448.0, "result": "shortest_L10mrh", "of_set": "first"}, {**VERDICTS[1], "value": 3.5, "of_set": "second"}]}, **NULLS_OF_SETS),
     "second set": judged("second set", {"verdicts": []}, **{**NULLS_OF_SETS, "limiting_set": "second", "sets.second.carrier_L10mrh": 1e8, "sets.first.kappa": None}),
-    "missing": judged("missing", {"verdicts": []}, L10h=1234567.8, kappa=None, L10mh=None, L10mrh=None, carrier_L10mrh=None, shortest_L10mrh=None, S0=None, planet_load_N=-0.000123),
+    "sets without a limit": judged("sets without a limit", {"verdicts": []}, **{**NULLS_OF_SETS, "limiting_set": None}),
+    "missing": judged("missing", {"verdicts": []}, L10h=1234567.8, kappa=None, L10mh=None, L10mrh=None, carrier_L10mrh=None, shortest_L10mrh=None, S0=None, planet_load_N=-0.000123, cage_slip=0.0),
     "no oil": judged("no oil", {"verdicts": []}, check=lambda check: {**check, "inputs": [one for one in check["inputs"] if not one["path"].startswith("lubricant.")]}, kappa=None, L10mh=None, L10mrh=None),
     "hours": judged("hours", {"verdicts": []}, L10h=0.5, L10rh=9999.4, L10mh=99999.6, life_h=1.0, system_life_h=1e7, system_L10h=12.3456),
     "infinite": judged("infinite", {"verdicts": [{**VERDICTS[1], "value": 9.75, "unit": "kN", "limit": 1e-5, "bound": "at most"}]}, S0=None)}
@@ -232,16 +258,18 @@ ASKED = [
     opened("crown"), opened("assumptions"), opened("mesh"), opened("point"), click("#card-crown button"), click("#card-assumptions button"), cursor_put(8400), click("#card-assumptions button"),
     {"what": "press", "selector": "#card-assumptions a", "event": "click", "data": {}}, cursor_put(9000), text_put(OTHER), click("#card-crown button"), button("Put this drop into the case"), *steps_through(ASKED_FOR), text_put(CASE),
     {"what": "open", "selector": "#card-mesh", "value": False}, text_put(OTHER), {"what": "open", "selector": "#card-mesh"},
-    together(click("#card-crown button"), click("#card-crown button"), cursor_put(8100)), *(step for i in range(21) for step in (cursor_put(8200 + 10 * i), click("#card-crown button"))), cursor_put(8200),
-    together(cursor_put(9100), click("[data-pin=A]")), text_put(f"{CASE}# bad\n"), click("[data-pin=B]"), together(text_put(CASE), text_put(OTHER), cursor_put(9200), text_put(CASE))]
+    together(click("#card-crown button"), click("#card-crown button"), cursor_put(8100)), *(step | {"unseen": True} for i in range(21) for step in (cursor_put(8200 + 10 * i), click("#card-crown button"))), cursor_put(8200),
+    cursor_put(9000), click("#card-crown button"), cursor_put(8400), together(click("#card-crown button"), cursor_put(9000)), {"what": "open", "selector": "#card-mesh", "value": False}, text_put(PROFILE),
+    together(cursor_put(9100), click("[data-pin=A]")), text_put(f"{CASE}# bad\n"), {"what": "open", "selector": "#card-mesh"}, click("[data-pin=B]"), text_put(PROFILE), click("[data-pin=C]"), text_put(OTHER), click("[data-pin=A]"), click("[data-drop=C]"),
+    text_put(f"{CASE}# idle\n"), click("[data-pin=B]"), together(text_put(CASE), text_put(OTHER), cursor_put(9200), text_put(CASE))]
 
 # --- A result as tables.
-REST = {"rest_a": 12345.678, "rest_b": {"inner": 0.00012346, "deep": {"most_mm": 5.5, "words": "of it"}}, "rest_list": [1.5, None, 2.5], "rest_um": [4.25], "rest_rows": [{"name": "one", "force_N": 3.25}, {"name": "two", "force_N": 4.75}],
+REST = {"rest_a": 12345.678, "rest_b": {"inner": 0.00012346, "rows": [{"a": 1.5}], "deep": {"most_mm": 5.5, "words": "of it"}}, "single": [{"set": "first", "b_um": [1.5]}], "bare": [{"a_um": [1, 2]}, {"a_um": [3, 4]}], "blank": [{"q": 1}, {"q": ""}], "rest_list": [1.5, None, 2.5], "rest_um": [4.25], "rest_rows": [{"name": "one", "force_N": 3.25}, {"name": "two", "force_N": 4.75}],
         "rest_lists": [{"set": "", "loads_N": [1.5, 2.5]}], "rest_words": ["x", "y"], "rest_matrix": [[1.25, 2.25, "z"], [3.25, None, "u"]], "rest_text": "words_of.it", "rest_flag": True, "rest_none": None,
         "power_flow": [{"member": "sun", "speed_rpm": 1.5, "torque_N_m": 2.5}, {"member": "ring", "speed_rpm": 3.5, "torque_N_m": -4.5}]}
 LONG = {"many": [{"name": f"row_{i}", "force_N": 1.5 + i, "left": "", "loads_N": [i + 0.5], "odd": None if i % 2 else i} for i in range(70)], "twelve": [{"set": f"of {i}", "a_um": [i, 2 * i]} for i in range(12)], "thirteen": [{"x": i} for i in range(13)],
         "wide": [[float(i) for i in range(14)]], "twelve_wide": [[float(i) for i in range(12)]], "none": [], "long": [float(i) + 0.5 for i in range(30)], "mixed": [{"a": 1, "b": {"c": 2}}, {"a": "word", "b": None}], "numbers": [1, 2, None]}
-TABLES = {"rest": made("planets", "rest", results={"run": {**RUN, **REST}}), "long": made("planets", "long", results={"run": {**RUN, **LONG, "units": {**RUN["units"], "many": "N", "long": "um", "wide": "1"}}},
+TABLES = {"rest": made("planets", "rest", nulls={"refined": True, "within": {"a": 1}, "none_of": None}, results={"run": {**RUN, **REST}}), "long": made("planets", "long", results={"run": {**RUN, **LONG, "units": {**RUN["units"], "many": "N", "long": "um", "wide": "1"}}},
                                                                                       steps=[{"what": "open", "selector": "#card-point details"}])}
 
 # --- A run in time.
@@ -261,13 +289,13 @@ MOTION = [
     text_put(OTHER), click("#card-motion .back"), {"what": "click", "selector": "#card-motion .proceed"}, points(10000.0, 9000.0), text_put(OTHER), *moving(50, time_s=0.4), text_put(CASE), *moving(50, time_s=0.5),
     told("result", points=[]), put("#fidelity", "monolithic"), click("#card-motion .chief"), told("failed", code=1, errors=["case.yaml:3:4: motion.step: too small", "second line"]), click("#card-motion .chief"), points(8800.0),
     told("failed", code=1, errors=["--set: input.speed: bad"]), put("#fidelity", "quasi-static"), click("#card-motion .chief"), *moving(10, angle_deg=[0.0, 1.0]), {"what": "broken", "state": 1}, {"what": "broken", "state": 2},
-    click("#card-motion .chief"), *moving(10, rolling_cage_rpm=-1000.0, cage_rpm=-990.0), points(8300.0, 8200.0), told("result", points=None), click("#to-take"), click("#take-motion")]
+    click("#card-motion .chief"), *moving(10, rolling_cage_rpm=-1000.0, cage_rpm=-990.0), points(8300.0, 8200.0), told("result", points=None), text_put(OTHER), click("#card-motion .chief"), *moving(10), told("result", points=of_points({"cage_slip": 0.5}, {"cage_slip": 0.25, "roller_slip": 0.125})), text_put(CASE), click("#to-take"), click("#take-motion")]
 LONG_MOTION = [click("#card-motion .chief"), *(
     {"what": "tells", "event": "motion", "each": 5, "all": [{**NOW, "time_s": 0.1 + 0.001 * i, "cage_turned_deg": 6.0 * i, "cage_rpm": 950.0 + i % 7} for i in range(first, last)]}
     for first, last in ((0, 1), (1, 101), (101, 400), (400, 401), (401, 402), (402, 700), (700, 803)))]
 
 # --- Folders of results, the first page, what is taken away.
-POINTS = [{"L10mrh": 1000.5 + i, "cage_slip": 0.125 * (i + 1), "power_loss_W": 10.5 + i, "power_loss_cage_W": 3.25 + i, "film_inner_um": None, "input_speed_rpm": speed, "status": "ok"} for i, speed in enumerate((9000.0, 8000.0))]
+POINTS = [{"L10mrh": 1000.5 - 2000 * i, "cage_slip": 0.125 - 0.375 * i, "roller_slip": [0.5, None][i], "power_loss_W": 10.5 + i, "power_loss_cage_W": 3.25 + i, "film_inner_um": None, "input_speed_rpm": speed, "status": "ok"} for i, speed in enumerate((9000.0, 8000.0))]
 HALF = {"kind": "results", "name": "half", "file": "case.resolved.yaml", "text": CASE, "checksum": "1", "writable": True, "folder": "/x/half", "fidelity": "dynamic", "finished": False, "points": POINTS,
         "missing": {"found": 2, "of": 3}, "options": {"fidelity": "dynamic", "grid_only": True, "continue": "speed"}}
 MORE = {**HALF, "points": [*POINTS, {**POINTS[0], "input_speed_rpm": 10000.0, "L10mrh": 999.5, "status": "failed"}]}
@@ -289,11 +317,12 @@ def row(key, inner):
     return f"[data-key='{key}'] {inner}"
 
 
-WRONG = NAMED.replace("designation: NU 204", "designation: NU 2999")
 RESOLVED = f"{CASE}assumed: {{gearset.module: 'default: of the page', bearing.radial_clearance: measured}}\n"
 AS_FORM = {
-    "wrong": made("named", "wrong", errors=["case.yaml:20:16: bearing.designation: found NU 2999; required: a designation. nearest: NU 2206, NU 204, NU 9999. See it", "case.yaml:9:3: gearset.module: found -3 mm; required: more",
-                                            "case.yaml:4:3: nowhere.key: found a key", "--set: input.speed: found x", "not about a line", "--set: gearset.teeth.sun[2].x: found 3"]),
+    "wrong": {**made("named", "wrong"), "text": NAMED.replace("power: 150 kW", "power: 0.15 MW"), "errors": ["case.yaml:20:16: bearing.designation: found NU 2999; required: a designation. nearest: NU 2206, NU 204, NU 9999. See it", "case.yaml:9:3: gearset.module: found -3 mm; required: more",
+                                            "case.yaml:4:3: nowhere.key: found a key", "--set: input.speed: found x", "not about a line", "--set: gearset.teeth.sun[2].x: found 3", "case.yaml:1:1: bearing.laminae: found 3"]},
+    "no unit": {"base": "planets", "text": CASE.replace("radial_clearance: 10 um", "radial_clearance: 0"), "edit": lambda check: check},
+    "unchecked": {"base": "planets", "text": CASE.replace("  face_width: 28 mm\n", ""), "edit": lambda check: check, "results": {"check": {"refused": {"status": 500, "body": {"code": 1, "errors": ["no answer"]}}}}},
     "resolved": {"base": "planets", "text": RESOLVED, "edit": lambda check: check},
     "anchored": {"base": "planets", "text": CASE.replace("module: 3 mm", "module: &m 3 mm"), "edit": lambda check: None, "errors": ["case.yaml:12:11: gearset.module: found an anchor", "case.yaml:4:3: nowhere.key: found a key"]},
     "flow": {"base": "planets", "text": CASE.replace("bearing:\n", "bearing:\n  catalogue: own.csv\n").replace("viscosity: 0.01 Pa.s,", "viscosity: 0.01 Pa.s, temperature: -20 degC,"), "edit": lambda check: check},
@@ -311,10 +340,13 @@ FORM = [
     put(IDS["bearing.type"], ""), put(IDS["gearset.planet_angles"], "[0 deg, 95 deg]"), put(IDS["sweep.input.speed"], "{from: 1000 rpm, to: 2000 rpm, step: 500 rpm}"), put(IDS["bearing.catalogue"], "other.csv"),
     file_put("own.csv", "a,b\n1,2\n", row("bearing.catalogue", "[type=file]")), file_put("own.csv", "x", row("bearing.catalogue", "[type=file]")), {"what": "files", "selector": row("bearing.catalogue", "[type=file]"), "files": []},
     text_put(CASE), click("[data-instead='input.torque']"), click("[data-instead='input.torque_curve']"), text_put(CASE), click("[data-instead='input.torque_curve']"), text_put(AS_FORM["resolved"]["text"]), put(IDS["gearset.module"], "3"), put(IDS["gearset.module"], "2"),
-    text_put(AS_FORM["resolved"]["text"]), click(row("gearset.module", ".reset")), text_put(AS_FORM["flow"]["text"]), put(row("lubricant.temperature", ".slider"), "51"), put(IDS["lubricant.viscosity"], "0.02 Pa.s # x"),
-    put(IDS["bearing.catalogue"], ""), text_put(AS_FORM["empty"]["text"]), put(IDS["gearset.module"], "3"), text_put(AS_FORM["anchored"]["text"]), button("Show the line", "#errors button"), click("#mend button"), text_put(CASE), put("#fidelity", "dynamic"),
+    text_put(AS_FORM["resolved"]["text"]), click(row("gearset.module", ".reset")), text_put(AS_FORM["flow"]["text"]), put(row("lubricant.temperature", ".slider"), "51"), put(IDS["lubricant.viscosity"], "0.02 Pa.s # x"), put("[id='in-lubricant.grade']", "ISO, VG"), put("[id='in-lubricant.grade']", "VG, {ISO}"),
+    put(IDS["bearing.catalogue"], ""), text_put(AS_FORM["empty"]["text"]), put(IDS["gearset.module"], "3"), text_put(AS_FORM["anchored"]["text"]), button("Show the line", "#errors button"), click("#mend button"), text_put(CASE), put("#fidelity", "dynamic"), put("#fidelity", "monolithic"), text_put(AS_FORM["no unit"]["text"]), put(IDS["bearing.radial_clearance"], "3,5"), put(row("bearing.radial_clearance", ".slider"), "60"), put(IDS["gearset.planets"], "-5"),
+    text_put(CASE), put(IDS["gearset.planets"], "500"), text_put(CASE), click(row("gearset.face_width", ".reset")),
     text_put(AS_FORM["wrong"]["text"]), click("#mend button"), button("NU 204", ".offers button"), button("Show the line", "#errors button"), {"what": "window", "event": "pointerdown"}, press(IDS["gearset.planets"], "focusin"),
-    {"what": "window", "event": "pointerup"}, time(0), {"what": "window", "event": "pointerdown"}, {"what": "window", "event": "pointercancel"}, press("#search", "focusin"), resize(860), resize(861)]
+    {"what": "window", "event": "pointerup"}, time(0), {"what": "window", "event": "pointerdown"}, {"what": "window", "event": "pointercancel"}, press("#search", "focusin"), resize(860), resize(861), text_put(TEXTS["roller"])]
+CHOSEN = {**made("named", "chosen"), "text": NAMED.replace("designation: NU 204", "designation: NU 2206"), "errors": ["case.yaml:5:6: bearing.per_planet: found 2 bearings of 31 mm; required: less"]}
+FILM_LIKE_NAMED = made("film", "film", errors=["case.yaml:5:6: bearing.per_planet: found 2 bearings of 31 mm; required: less"])
 LIKE_NAMED = made("named", "in its place", errors=["case.yaml:5:6: bearing.per_planet: found 2 bearings of 31 mm; required: less"])
 
 # --- Other models, each opened as a file.
@@ -325,6 +357,7 @@ OF_BALLS = {"L10h": 900.5, "contact_loads_N": [300.0 + 11 * j for j in range(18)
 MODELS = {
     "rollers": made("roller", "rollers", results={"run": OF_ROLLERS}), "outer turns": made("roller", "outer turns", lambda check: with_inputs(check, operation__turning_race="outer", bearing__first_element_angle=0.3), results={"run": {**OF_ROLLERS, "lamina_loads_N": []}}),
     "stands": made("roller", "stands", lambda check: with_inputs(check, operation__shaft_speed=0.0, load__radial=0.0), results={"run": {**OF_ROLLERS, "contact_loads_N": [1.0] * 13}}),
+    "one row": made("roller", "one row", results={"run": {**OF_ROLLERS, "lamina_loads_N": [[4.0, 3.0, 2.0, 1.0]]}}), "rows unlike": made("roller", "rows unlike", results={"run": {**OF_ROLLERS, "lamina_loads_N": [[4.0, 3.0, 2.0, 1.0], [9.0], [5.0] * 4]}}),
     "no rollers": made("roller", "no rollers", lambda check: with_inputs(check, bearing__rollers=None), results={"run": {**OF_ROLLERS, "steps": {"lamina_places_mm": [1.0]}}}),
     "balls": made("ball", "balls", results={"run": OF_BALLS}, steps=[opened("assumptions"), click("#card-assumptions button"), click("#to-take"), click("#take .close"), click("[data-pin=A]")]),
     "balls in time": made("ball", "balls in time", lambda check: {**check, "inputs": [{**one, "used_by": [*one["used_by"], "run of a ball bearing in time"]} for one in check["inputs"]]}),
@@ -349,6 +382,7 @@ SPANS |= {"slower": made("planets", "slower", lambda check: with_inputs(check, i
           "no power": made("planets", "no power", lambda check: with_inputs(check, input__power=0.0)), "member": made("planets", "member", lambda check: with_inputs(check, input__member="carrier")), "no member": made("planets", "no member", lambda check: with_inputs(check, input__member=None)),
           "unused": made("planets", "unused", lambda check: {**check, "inputs": [{**one, "used_by": []} for one in check["inputs"]]}), "bad": ASKED_FOR["bad"],
           "anchored": {"base": "planets", "text": CASE.replace("[8000 rpm, 9000 rpm", "&s [8000 rpm, 9000 rpm"), "edit": lambda check: check}, "no curve": made("planets", "no curve", results={"sweep": {"refused": {"status": 500, "body": {"code": 1, "errors": ["no curve"]}}}}),
+          "broken curve": made("planets", "broken curve", results={"sweep": {"refused": {"body": "no JSON"}}}), "planets once more": made("planets", "planets once more"),
           "no inputs": made("planets", "no inputs", lambda check: {**check, "derived": None}), "planets": made("planets", "as before"), "one fidelity": made("planets", "one fidelity", lambda check: {
               **check, "inputs": [{**one, "used_by": [name for name in one["used_by"] if name != "--fidelity quasi-static"]} for one in check["inputs"]]})}
 
@@ -378,11 +412,11 @@ ENGINE_B = [
 WHOLE = [{"body": "no memory"}, {"body": "words alone"}]
 
 SCENES = {
-    "form": {"texts": ["planets", "other", "named"], "inputs": "case", "made": {**AS_FORM, "in its place": LIKE_NAMED}, "steps": FORM, "box": [0, 0], "width": 900,
+    "form": {"texts": ["planets", "other", "named", "roller"], "inputs": "case", "made": {**AS_FORM, "in its place": LIKE_NAMED}, "steps": FORM, "box": [0, 0], "width": 900,
              "units": {"3 mm > um": {"body": {"number": 3000, "text": "3000 um"}}, "3 mm > furlong": {"body": {"number": 0.125, "text": "0.125 furlong"}}}, "saves": [
                  {"body": {"file": "kept/own.csv", "checksum": "c"}}, {"status": 409, "body": {"errors": ["own.csv: is there", "already"]}}]},
-    "narrow form": {"texts": ["named", "planets"], "inputs": "case", "made": {"in its place": LIKE_NAMED}, "width": 500, "opened": {**START, "kind": "case", "text": NAMED, "file": "x.yml", "name": "x"}, "steps": [
-        record("as it is at first"), put(IDS["bearing.designation"], "NU 2307"), put(IDS["bearing.catalogue"], "x"), file_put("own.csv", "a,b\n1,2\n", row("bearing.catalogue", "[type=file]")), text_put(LIKE_NAMED["text"]), click("#mend button"), resize(700)]},
+    "narrow form": {"texts": ["named", "planets"], "inputs": "case", "made": {"in its place": LIKE_NAMED, "chosen": CHOSEN, "film": FILM_LIKE_NAMED}, "width": 500, "opened": {**START, "kind": "case", "text": NAMED, "file": "x.yml", "name": "x"}, "steps": [
+        record("as it is at first"), put(IDS["bearing.designation"], "NU 2307"), put(IDS["bearing.catalogue"], "x"), file_put("own.csv", "a,b\n1,2\n", row("bearing.catalogue", "[type=file]")), text_put(LIKE_NAMED["text"]), click("#mend button"), resize(700), text_put(NAMED), put(IDS["bearing.designation"], "NU 2206"), text_put(FILM_LIKE_NAMED["text"])]},
     "models": {"texts": ["planets"], "made": MODELS, "results": {"run": {"units": {}}}, "steps": FILES_OF_MODELS},
     "forms": {"texts": ["pair", "roller", "defect", "duplex", "film", "sets", "planets"], "inputs": "case", "steps": [record("as it is at first"), *(text_put(TEXTS[name]) for name in ("roller", "defect", "duplex", "film", "sets", "planets"))]},
     "defect": {"texts": ["planets", "defect"], "made": {"heavier": DEFECT_2}, "steps": DEFECT},
@@ -399,29 +433,32 @@ SCENES = {
     "engine b without a worker": {"texts": ["planets"], "opened": None, "search": "", "templates": TEMPLATES, "core": {"failing": 1}, "steps": [record("as it is at first"), click("[data-template=one]")]},
     "curves": {"texts": ["planets", "other", "third"], "steps": CURVES},
     "axes": {"texts": ["plain"], "made": AXES, "steps": steps_through(AXES)},
-    "logarithms": {"texts": ["planets"], "made": LOGS, "steps": [*steps_through(LOGS), check_put("#card-life-log", False), *steps_through({"no life": LOGS["no life"], "one life": LOGS["one life"]})]},
-    "drawings": {"texts": ["planets", "other"], "steps": DRAWN},
+    "logarithms": {"texts": ["planets"], "made": LOGS, "steps": [opened("more"), put("#card-more select", "L10h"), *steps_through(LOGS), check_put("#card-life-log", False), *steps_through({"no life": LOGS["no life"], "one life": LOGS["one life"]})]},
+    "charts": {"texts": [], "made": {"bad": ASKED_FOR["bad"]}, "steps": CHARTS},
+    "drawings": {"texts": ["planets", "other"], "made": {"bad": ASKED_FOR["bad"]}, "steps": DRAWN},
     "bearings and gears": {"texts": ["planets"], "made": BEARINGS, "steps": steps_through(BEARINGS)},
-    "tiles": {"texts": ["planets"], "made": TILES, "steps": steps_through(TILES)},
+    "tiles": {"texts": ["planets"], "made": TILES, "steps": [*steps_through(TILES), click("[data-pin=A]"), text_put(TILES["missing"]["text"]), click("[data-pin=B]"), text_put(TILES["hours"]["text"]), click("[data-drop=A]")]},
     "asked": {"texts": ["planets", "other", "profile"], "made": ASKED_FOR, "steps": ASKED, "width": 500},
-    "tables": {"texts": ["planets"], "made": TABLES, "steps": [opened("point"), *steps_through(TABLES)]},
+    "tables": {"texts": ["planets"], "made": TABLES, "steps": [opened("point"), *steps_through(TABLES), text_put("name: bad\n"), {"what": "open", "selector": "#card-point details"}, cursor_put(8400)]},
     "motion": {"texts": ["planets", "other"], "steps": MOTION},
     "long motion": {"texts": ["plain"], "steps": LONG_MOTION},
     "take away": {"texts": ["planets"], "made": {"bad": ASKED_FOR["bad"]}, "steps": TAKEN, "saves": [
         {"body": {"file": "case.yaml", "checksum": "second"}}, {"status": 409, "body": {"errors": ["case.yaml: found another content"], "checksum": "by a colleague"}}]},
-    "folder": {"texts": ["planets", "other"], "opened": HALF, "folder_results": [{"body": HALF}, {"body": MORE}, {"body": {**MORE, "finished": True}}], "steps": [
+    "folder": {"texts": ["planets", "other"], "opened": HALF, "results": {"nulls": {"L10mrh": None}}, "folder_results": [{"body": HALF}, {"body": MORE}, {"body": {**MORE, "finished": True}}], "steps": [
         record("opened"), time(5000), time(5000), click("#card-motion .proceed"), points(8500.0), told("stopped", points=[]), time(5000), time(5000), text_put(OTHER), time(5000)]},
     "crown in a folder": {"texts": ["planets"], "opened": {**HALF, "points": None, "finished": True, "result": CROWN}, "steps": [record("opened"), cursor_put(8400)]},
     "optimum in a folder": {"texts": ["planets"], "opened": {**HALF, "points": None, "finished": True, "result": {**CROWN, "recommended": None, "in_run": None, "optimum": {"profile": "x", "drop_um": 1.25, "governing_life_h": 345.0, "peak_pressure_MPa": 678.0}}},
                             "steps": [record("opened"), button("Put this drop into the case")]},
     "result in a folder": {"texts": ["defect"], "opened": {**HALF, "text": TEXTS["defect"], "points": None, "finished": True, "result": {"shaft_Hz": 25.25, "units": {}}, "error": "case.resolved.yaml: differs"}, "steps": [record("opened")]},
+    "empty folder": {"texts": ["planets"], "opened": {**HALF, "points": None, "finished": True, "result": None}, "steps": [record("opened")]},
+    "whole folder": {"texts": ["planets"], "opened": {**HALF, "finished": True, "result": {"shaft_Hz": 25.25, "units": {}}}, "steps": [record("opened")]},
     "begun folder": {"texts": ["planets", "other"], "opened": {**HALF, "points": [], "missing": {"text": "no manifest"}, "options": None, "fidelity": "quasi-static"}, "folder_results": [{"body": {**HALF, "missing": None}}, {"body": HALF}, {"body": HALF}], "steps": [
         record("opened"), time(5000), together(click("#card-motion .chief"), time(5000)), told("result", points=[]), time(5000), together(time(5000), text_put(OTHER))]},
     "bad from the start": {"texts": [], "made": {"bad": made("planets", "bad", lambda check: None, errors=["case.yaml:1:1: name: found x", "case.yaml:70:3: nowhere.key: found y"])}, "steps": [
         record("as it is at first"), click("#mend button"), button("Show the line", "#errors button"), click("#to-take"), click("#take .close"), click("[data-pin=A]")]},
     "bad after another": {"texts": ["planets"], "made": {"bad": ASKED_FOR["bad"]}, "steps": [opened("point"), file_put("bad.yaml", ASKED_FOR["bad"]["text"]), text_put(CASE)]},
     "motion of no speed": {"texts": [], "made": {"no speed": BEARINGS["no speed"], "small": BEARINGS["few rollers"], "planets": made("planets", "planets")}, "steps": [
-        click("#card-motion .chief"), *moving(10), *moving(200, time_s=0.2), told("result", points=[]), text_put(BEARINGS["few rollers"]["text"]), click("#card-motion .chief"), *moving(10), told("stopped", points=[])]},
+        click("#card-motion .chief"), *moving(10), *moving(200, time_s=0.2), *moving(600, time_s=0.3), *moving(600, rolling_cage_rpm=0.0, cage_rpm=0.0), *moving(600, rolling_cage_rpm=0.0, cage_rpm=0.0, time_s=0.2), told("result", points=[]), text_put(BEARINGS["few rollers"]["text"]), click("#card-motion .chief"), *moving(10), told("stopped", points=[])]},
     "start": {"texts": ["planets", "other"], "opened": START, "templates": TEMPLATES, "folders": FOUND_FOLDERS, "steps": [
         record("as it is at first"), click("[data-folder=half]"), click("[data-template=two]"), click("#to-start"), click("#back"), click("#to-start"), file_put("given.yml", CASE), click("#to-start"),
         click("[data-folder=whole]"), time(5000), click("#to-take")], "folder_results": [

@@ -52,11 +52,10 @@ const overSpeed = (session) =>
 
 /** Curves of the points of the sweep over speed, of pinned variants and of points in motion. */
 class CurveCard extends Card {
-  constructor(id, title, keys, {y, log = false, onlyMotion = false, ...more} = {}) {
+  constructor(id, title, keys, {y, log = false, ...more} = {}) {
     super(id, title, more);
     this.keys = keys;
     this.y = y;
-    this.onlyMotion = onlyMotion;
     this.log = log;
     this.tools = element('div', {class: 'tools'});
     this.body.append(this.tools);
@@ -83,7 +82,7 @@ class CurveCard extends Card {
     known.forEach((key, i) => {
       const colour = COLOURS[i % COLOURS.length],
             title = `${meanings.label(key)}: ${meanings.of(key).description ?? ''}`;
-      if (!this.onlyMotion && isKnown(still, key))
+      if (isKnown(still, key))
         series.push({
           key,
           label: meanings.label(key),
@@ -99,7 +98,7 @@ class CurveCard extends Card {
           title,
           colour,
           points: columnOf([...moving].sort((a, b) => a.input_speed_rpm - b.input_speed_rpm), key),
-          only: !this.onlyMotion,
+          only: true,
           dots: true
         });
     });

@@ -431,11 +431,9 @@ export class Form {
   // A slider spans about the present value, within the limits of the schema.
   place(row) {
     if (!row.slider || row.dragging) return;
-    const {field} = row, now = Number(row.control.value);
-    const size = Number.isFinite(now) && now !== 0 && row.control.value !== '' ?
-        Math.abs(now) :
-        Math.abs(Number(quantityOf(field.example)?.number ?? 1)) || 1;
-    let low = now > 0 ? Math.max(0, now - size) : now - size, high = (Number.isFinite(now) ? now : 0) + size;
+    const {field} = row, read = Number(row.control.value), now = Number.isFinite(read) ? read : 0;
+    const size = Math.abs(now) || Math.abs(Number(quantityOf(field.example)?.number ?? 1)) || 1;
+    let low = now > 0 ? 0 : now - size, high = now + size;
     if (field.kind !== 'quantity') {
       low = Math.max(low, field.least ?? low);
       high = Math.min(high, field.most ?? high);
@@ -451,7 +449,7 @@ export class Form {
       row.dragging = !end;
       const share = Number(row.slider.value) / SLIDER_STEPS,
             raw = row.span.low + share * (row.span.high - row.span.low);
-      const step = 10 ** (Math.floor(Math.log10((row.span.high - row.span.low) / SLIDER_STEPS)) || 0);
+      const step = 10 ** Math.floor(Math.log10((row.span.high - row.span.low) / SLIDER_STEPS));
       const number = row.field.kind === 'integer' ? Math.round(raw) :
                                                     Number((Math.round(raw / step) * step).toPrecision(6));
       row.control.value = String(number);

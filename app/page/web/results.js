@@ -167,15 +167,16 @@ function manyOf(key, list, about, unit, title, units, path) {
 export function pointTable(point, meanings) {
   const keys = Object.keys(point).filter(
       (key) => point[key] !== null && typeof point[key] !== 'object' && key !== 'refined');
-  return element('table', {class: 'values'}, element('tbody', {}, ...keys.map((key) => {
-                   const {unit = '', description = ''} = meanings.of(key), value = point[key];
-                   return element(
-                       'tr', {}, element('th', {scope: 'row', title: key}, meanings.label(key)),
-                       element(
-                           'td', {'data-key': key},
-                           typeof value === 'number' ? figure(value, unit) : element('span', {}, String(value))),
-                       element('td', {class: 'meaning'}, description));
-                 })));
+  return element(
+      'table', {class: 'values'}, element('tbody', {}, ...keys.map((key) => {
+        const {unit = '', description = ''} = meanings.of(key), value = point[key];
+        return element(
+            'tr', {}, element('th', {scope: 'row', title: key}, meanings.label(key)),
+            element(
+                'td', {'data-key': key},
+                typeof value === 'number' ? figure(value, unit) : element('span', {}, String(value))),
+            element('td', {class: 'meaning'}, description));
+      })));
 }
 
 export {readable};

@@ -271,20 +271,14 @@ export class Session extends EventTarget {
     let found = await ask(count);
     this.took.curve = performance.now() - begun;
     this.slow = (this.took.curve * FINE) / count > LONG;
-    if (count === COARSE && !this.slow) {
-      const second = performance.now();
-      found = await ask(FINE);
-      this.took.curve = performance.now() - second;
-    }
+    if (count === COARSE && !this.slow) found = await ask(FINE);
     return found;
   }
 
   async computePoint() {
     if (!this.overSpeed || this.errors.length) return;
-    const begun = performance.now(), run = await this.engine.answer(this.request('run', this.setting));
-    this.run = run;
-    this.point = run.points[0];
-    this.took.point = performance.now() - begun;
+    this.run = await this.engine.answer(this.request('run', this.setting));
+    this.point = this.run.points[0];
     this.tell('point');
   }
 }
