@@ -222,6 +222,7 @@ class Figures(kept_records.Recorded):
                             "one point": {"ablation.*.speed_rpm": lambda x: x[20:21], "ablation.*.life_h": lambda x: x[20:21]},
                             "groups": {"ablation.1.group": "clearance", "ablation.5.group": "inertia", "ablation.7.name": "film of a name that is so long that it stands alone"},
                             "L10mh": {"ablation.*.L10mh": lambda row: [0.5 * x for x in row["life_h"]], "ablation.*.life_key": "L10mh"},
+                            "two lives": {"ablation.0.L10mh": lambda row: [0.5 * x for x in row["life_h"]], "ablation.0.life_key": "L10mh"},
                             "unsorted": {"ablation.*.speed_rpm": lambda x: x[::-1], "ablation.1.life_h": lambda x: [None, -1.0, *x[2:]], "ablation.2.peak_speed_rpm": None},
                             "other speeds": {"ablation.1.speed_rpm": lambda x: [one + 1e-3 for one in x], "ablation.2.speed_rpm": lambda x: [one * (1 + 1e-13) for one in x]}}.items():
             one = Report(changed(content, edits), None)
