@@ -477,6 +477,47 @@ class Looks(kept_records.Recorded):
             with unittest.mock.patch("warnings.warn"):
                 matplotlib.rcParams.update({key: value for key, value in before.items() if key != "backend"})
 
+    def test_numbers_of_drawings(self):
+        """Each kind of artist as drawn.py reads it."""
+        from matplotlib.figure import Figure
+        from matplotlib.patches import Annulus, Circle, Ellipse, Polygon, Rectangle
+        from orbearing.drawn import panels_of, states_map
+        figure = Figure()
+        one, two, three = figure.subplots(1, 3)
+        one.plot([1, 2, 3], [4.0, np.nan, 6.0], label="line", marker="o")
+        one.plot([1, 2], [7.0, 8.0], label="_hidden")
+        one.axhline(2.5, label="level")
+        one.axvline(1.25)
+        one.plot([0.1, 0.2], [0.3, 0.4], transform=one.transAxes)
+        one.bar([1.0, 2.0], [3.0, -4.0], width=0.5, label="bars")
+        one.barh([5.0, 6.0], [1.5, 2.5], height=0.25)
+        one.fill_between([1.0, 2.0, 3.0], [0.5, 0.6, 0.7], [1.5, 1.7, 1.9], label="band")
+        one.fill_between([1.0, 2.0, 3.0], 0, 1, where=[True, True, False], transform=one.get_xaxis_transform(), label="shade")
+        one.axvspan(1.1, 1.4, label="span")
+        for patch in (Circle((1.0, 2.0), 0.5, label="circle"), Annulus((2.0, 3.0), 0.75, 0.25), Polygon([(0, 0), (1, 0.5), (0.5, 1)]), Rectangle((1.0, 2.0), 3.0, 4.0, label="box"), Ellipse((0, 0), 1, 2)):
+            one.add_patch(patch)
+        one.scatter([1.0, 2.0], [3.0, 4.0], s=[5.0, 6.0], c=[0.25, 0.75], label="points")
+        one.scatter([1.5], [2.5], s=7.0)
+        one.vlines([1.0, 2.0], 0.5, [1.5, 2.5], label="lines")
+        one.set_title("left", loc="left")
+        one.legend()
+        one.set(xlabel="x", ylabel="y", xlim=(0, 9), ylim=(-8, 7))
+        one.set_xticks([1, 2], ["a", "b"])
+        one.annotate("words", (1, 2))
+        x, y, z = np.arange(3.0), np.arange(2.0), np.arange(6.0).reshape(2, 3)
+        states_map(two.contourf(x, y, z, levels=[0.5, 2.5, 4.5]), x, y, z)
+        states_map(two.contour(x, y, np.ma.masked_greater(z, 4.5), [1.5]), x, y, np.ma.masked_greater(z, 4.5))
+        two.set_title("centre")
+        mesh = three.pcolormesh(x, y, z, shading="nearest")
+        three.set_title("right", loc="right")
+        figure.colorbar(mesh, ax=three).set_label("bar")
+        inset = three.inset_axes([0.1, 0.1, 0.3, 0.3])
+        inset.plot([1, 2], [3, 4])
+        three.inset_axes([0.5, 0.5, 0.1, 0.1])
+        found = panels_of(figure)
+        self.check("numbers of drawings", [[panel.title, panel.x_label, panel.y_label, list(panel.x_limits), list(panel.y_limits), list(panel.texts), [list(one) for one in panel.ticks], list(panel.legend),
+                                            [[series.kind, series.label, [np.shape(column) for column in series.columns], [np.ravel(column) for column in series.columns], series.marked] for series in panel.series]] for panel in found])
+
     def test_svg(self):
         """Names, marks and clips of an element that stands in a page."""
         from matplotlib.figure import Figure
