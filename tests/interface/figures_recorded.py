@@ -222,6 +222,7 @@ class Figures(kept_records.Recorded):
                             "one point": {"ablation.*.speed_rpm": lambda x: x[20:21], "ablation.*.life_h": lambda x: x[20:21]},
                             "groups": {"ablation.1.group": "clearance", "ablation.5.group": "inertia", "ablation.7.name": "film of a name that is so long that it stands alone"},
                             "L10mh": {"ablation.*.L10mh": lambda row: [0.5 * x for x in row["life_h"]], "ablation.*.life_key": "L10mh"},
+                            "two lives": {"ablation.0.L10mh": lambda row: [0.5 * x for x in row["life_h"]], "ablation.0.life_key": "L10mh"},
                             "unsorted": {"ablation.*.speed_rpm": lambda x: x[::-1], "ablation.1.life_h": lambda x: [None, -1.0, *x[2:]], "ablation.2.peak_speed_rpm": None},
                             "other speeds": {"ablation.1.speed_rpm": lambda x: [one + 1e-3 for one in x], "ablation.2.speed_rpm": lambda x: [one * (1 + 1e-13) for one in x]}}.items():
             one = Report(changed(content, edits), None)
@@ -475,6 +476,47 @@ class Looks(kept_records.Recorded):
         finally:
             with unittest.mock.patch("warnings.warn"):
                 matplotlib.rcParams.update({key: value for key, value in before.items() if key != "backend"})
+
+    def test_numbers_of_drawings(self):
+        """Each kind of artist as drawn.py reads it."""
+        from matplotlib.figure import Figure
+        from matplotlib.patches import Annulus, Circle, Ellipse, Polygon, Rectangle
+        from orbearing.drawn import panels_of, states_map
+        figure = Figure()
+        one, two, three = figure.subplots(1, 3)
+        one.plot([1, 2, 3], [4.0, np.nan, 6.0], label="line", marker="o")
+        one.plot([1, 2], [7.0, 8.0], label="_hidden")
+        one.axhline(2.5, label="level")
+        one.axvline(1.25)
+        one.plot([0.1, 0.2], [0.3, 0.4], transform=one.transAxes)
+        one.bar([1.0, 2.0], [3.0, -4.0], width=0.5, label="bars")
+        one.barh([5.0, 6.0], [1.5, 2.5], height=0.25)
+        one.fill_between([1.0, 2.0, 3.0], [0.5, 0.6, 0.7], [1.5, 1.7, 1.9], label="band")
+        one.fill_between([1.0, 2.0, 3.0], 0, 1, where=[True, True, False], transform=one.get_xaxis_transform(), label="shade")
+        one.axvspan(1.1, 1.4, label="span")
+        for patch in (Circle((1.0, 2.0), 0.5, label="circle"), Annulus((2.0, 3.0), 0.75, 0.25), Polygon([(0, 0), (1, 0.5), (0.5, 1)]), Rectangle((1.0, 2.0), 3.0, 4.0, label="box"), Ellipse((0, 0), 1, 2)):
+            one.add_patch(patch)
+        one.scatter([1.0, 2.0], [3.0, 4.0], s=[5.0, 6.0], c=[0.25, 0.75], label="points")
+        one.scatter([1.5], [2.5], s=7.0)
+        one.vlines([1.0, 2.0], 0.5, [1.5, 2.5], label="lines")
+        one.set_title("left", loc="left")
+        one.legend()
+        one.set(xlabel="x", ylabel="y", xlim=(0, 9), ylim=(-8, 7))
+        one.set_xticks([1, 2], ["a", "b"])
+        one.annotate("words", (1, 2))
+        x, y, z = np.arange(3.0), np.arange(2.0), np.arange(6.0).reshape(2, 3)
+        states_map(two.contourf(x, y, z, levels=[0.5, 2.5, 4.5]), x, y, z)
+        states_map(two.contour(x, y, np.ma.masked_greater(z, 4.5), [1.5]), x, y, np.ma.masked_greater(z, 4.5))
+        two.set_title("centre")
+        mesh = three.pcolormesh(x, y, z, shading="nearest")
+        three.set_title("right", loc="right")
+        figure.colorbar(mesh, ax=three).set_label("bar")
+        inset = three.inset_axes([0.1, 0.1, 0.3, 0.3])
+        inset.plot([1, 2], [3, 4])
+        three.inset_axes([0.5, 0.5, 0.1, 0.1])
+        found = panels_of(figure)
+        self.check("numbers of drawings", [[panel.title, panel.x_label, panel.y_label, list(panel.x_limits), list(panel.y_limits), list(panel.texts), [list(one) for one in panel.ticks], list(panel.legend),
+                                            [[series.kind, series.label, [np.shape(column) for column in series.columns], [np.ravel(column) for column in series.columns], series.marked] for series in panel.series]] for panel in found])
 
     def test_svg(self):
         """Names, marks and clips of an element that stands in a page."""

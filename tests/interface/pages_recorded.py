@@ -7,8 +7,11 @@ Exit code 77 (skipped) where matplotlib or netCDF4 is missing.
 
 import json
 import lzma
+import os
 import re
 import sys
+import tempfile
+import types
 import unittest
 import unittest.mock
 from pathlib import Path
@@ -28,6 +31,7 @@ import figures_fixture as made  # noqa: E402
 import kept_records  # noqa: E402
 from orbearing import assessor, assessor_pdf, ball_page, blocks, crown_page, defect_page, lives, page, pair_page, static_page, style, summary, tables  # noqa: E402
 from orbearing.blocks import FigureBlock, Table  # noqa: E402
+from orbearing.errors import CaseError  # noqa: E402
 from orbearing.point_file import PointFile  # noqa: E402
 from orbearing.result_folder import Report  # noqa: E402
 
@@ -145,6 +149,38 @@ class Pages(kept_records.Recorded):
             content |= {"points": content["points"][:2]}
             self.whole_and_changes(f"assessor, one value changed: {name}", draw(assessor.Most(2, 3), False), content, 4)
 
+    def test_the_document(self):
+        """Cut to eight pages: the first form of it that fits, or none."""
+        asked = []
+
+        def library(pages):
+            class HTML:
+                def __init__(self, string):
+                    asked.append([len(re.findall("<tr>", string)), string.count('<section class="figure')])
+
+                def render(self):
+                    return types.SimpleNamespace(pages=[0] * pages[len(asked) - 1], write_pdf=lambda: b"%d" % len(asked))
+
+            return {"weasyprint": types.SimpleNamespace(HTML=HTML)}
+
+        found = []
+        for pages in ([8], [9, 8], [20, 12, 9, 3], [20, 12, 9, 9]):
+            asked.clear()
+            with unittest.mock.patch.dict(sys.modules, library(pages)), unittest.mock.patch("orbearing.assessor.read_point", lambda *_: PointFile({})):
+                try:
+                    found.append(assessor_pdf.pdf(Report(self.results["spectrum"], None), BLOCKS).decode())
+                except CaseError as error:
+                    found.append(str(error))
+            found.append(list(asked))
+        with unittest.mock.patch.dict(sys.modules, library([1])), self.assertRaises(CaseError) as caught:
+            assessor_pdf.pdf(Report({"points": []}, None), BLOCKS)
+        with tempfile.TemporaryDirectory() as place:
+            (Path(place) / "case.resolved.yaml").write_bytes(b"x: 1")
+            os.utime(Path(place) / "case.resolved.yaml", (1e9, 1e9))
+            issue = [assessor_pdf._issue(Report({}, folder)) for folder in (None, Path(place), Path(place) / "none")]
+        reliable = [assessor._reliability(Report({"influences": {"reliability": value}}, None)) for value in (None, 0.9, 0.99)]
+        self.check("document", [found, str(caught.exception), issue, reliable, assessor._signed(None), assessor._signed(-1.5, "h"), assessor._signed(2.0)])
+
     def test_runs_of_single_bearings(self):
         for name, draw in (("single", static_page.page), ("pair", pair_page.page)):
             self.whole_and_changes(f"run: {name}", lambda content, draw=draw: draw(Report(content, None), BLOCKS[3:]), self.results[name], 3)
@@ -179,7 +215,7 @@ class Pages(kept_records.Recorded):
     def test_the_answer_in_a_sentence(self):
         point = {"input_speed_rpm": 1000.0, "L10mh": 5e4, "shortest_L10mh": 4e4, "status": "ok", "carrier_L10mh": 3e4, "limiting_set": "low"}
         report = {"points": [point, {**point, "input_speed_rpm": 2000.0, "refined": True}], "fidelity": "dynamic", "peak": {"life_key": "L10mh", "speed_rpm": 1000.0, "life_h": 5e4},
-                  "missing": {"points": [3], "found": 2, "of": 5, "shard": "1/2", "text": "three points"}, "slice": {"kW": 5.0, "odd": None},
+                  "missing": {"points": [3], "found": 2, "of": 5, "shard": "1/2", "text": "three points"}, "slice": {"kW": 5.0},
                   "spectrum": {"L10mh": 3.3e4, "life_key": "L10mh"}, "published": [{"source": "", "speed_rpm": 1.0, "life_h": 2.0, "ours_h": 3.0}, {"source": "b", "speed_rpm": 4.0, "life_h": 5.0}],
                   "changed_inputs": ["a", "b"], "carrier": {"bearings": [{"planet": 1, "position_mm": 2.0, "L10mh": 7.0}], "largest_load_share": 1.5}}
         for row in report["points"]:

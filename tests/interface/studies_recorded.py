@@ -38,6 +38,7 @@ from orbearing.studies.executors import InProcess  # noqa: E402
 from orbearing.studies.result import json_of, open_study  # noqa: E402
 from study_fake import FakeCase, FakeEngine  # noqa: E402
 
+os.environ["COLUMNS"] = "100"  # of help texts, which break at hyphens
 RECORDS = kept_records.Records("studies")
 CLEARANCES = ["0 um", "10 um", "0.03 mm", "66 um"]
 KINDS = ["straight", "iso16281"]

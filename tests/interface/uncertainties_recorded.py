@@ -7,6 +7,7 @@
 import contextlib
 import io
 import json
+import os
 import pathlib
 import re
 import sys
@@ -37,6 +38,7 @@ from orbearing.uncertainties.figures import figures  # noqa: E402
 from orbearing.uncertainties.inputs import UncertainInputs, UncertainNumber  # noqa: E402
 from orbearing.uncertainties.settings import Settings  # noqa: E402
 
+os.environ["COLUMNS"] = "100"  # of help texts, which break at hyphens
 RECORDS = kept_records.Records("uncertainties")
 NUMBERS = [UncertainNumber("input.power", "uniform", 150e3, least=100e3, most=200e3, si_unit="W", unit="kW", units_per_si=1e-3, given="{uniform: ...}", reason="a guess"),
            UncertainNumber("planet.mass", "triangular", 1.1, least=0.5, peak=0.9, most=1.5, given="{triangular: ...}"),
