@@ -89,6 +89,14 @@ void expect_bracketed(const std::vector<LivedSpeed>& points, bool in_motion) {
 constexpr PeakSearch kQuasiStatic{};
 const PeakSearch kMotion{.in_motion = true};
 
+// 2 rpm at rest and 10 rpm in motion; of slow shafts 1/1000 and 1/200 of the speed.
+TEST(PeakSearch, ResolutionIsThatOfTheSpeed) {
+  EXPECT_DOUBLE_EQ(peak_resolution(6000.0, false), 2.0);
+  EXPECT_DOUBLE_EQ(peak_resolution(20.0, false), 0.02);
+  EXPECT_DOUBLE_EQ(peak_resolution(6000.0, true), 10.0);
+  EXPECT_DOUBLE_EQ(peak_resolution(20.0, true), 0.1);
+}
+
 TEST(PeakSearch, FindsASmoothPeakToTwoRpmInFewPoints) {
   for (const double peak : {1700.0, 4321.0, 5000.0, 5999.0, 9400.0}) {
     const std::vector<LivedSpeed> points = searched(smooth(peak), kQuasiStatic, grid(smooth(peak)));
