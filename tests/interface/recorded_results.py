@@ -32,6 +32,7 @@ import tempfile
 import time
 
 import recorded_whole
+from program import LEFT_TO_FULL
 from recorded_reduction import FOLDER, differences, is_number, reduced_run, spread_of
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
@@ -58,6 +59,7 @@ class Entry:
 def entry_of(line):
     """`run $reducer_150kW "input.power=75 kW" --fidelity dynamic`: settings as words with '='; `text run ...`: printed without --json."""
     words = shlex.split(line)
+    words = words[1:] if words[0] == "full" else words
     as_text = words[0] == "text"
     words = words[1:] if as_text else words
     made = [words[0]]
@@ -86,7 +88,7 @@ def case_file(name):
 def daily():
     lines = [line.strip() for line in COMMANDS.read_text(encoding="utf-8").splitlines()]
     # Builds under sanitizers have no library of our FMUs.
-    without = () if (pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib/orbearing/fmu/linux64").exists() else ("fmu ",)
+    without = () if (pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib/orbearing/fmu/linux64").exists() else ("fmu ", "full text fmu ")
     return [entry_of(line) for line in lines if line and not line.startswith(("#", *without))]
 
 
@@ -117,7 +119,7 @@ def within(seconds, command, folder, environment):
     return None if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else subprocess.CompletedProcess(command, process.returncode, out, err)
 
 
-def answers_of(entries, jobs, seconds=SECONDS, environment=None):
+def answers_of(entries, jobs, seconds=SECONDS, environment=None, with_words=True):
     """(entry, answer) in their order. Commands run beside each other; reduced is here alone, since netCDF takes one thread."""
     begin = time.monotonic()
 
@@ -128,22 +130,22 @@ def answers_of(entries, jobs, seconds=SECONDS, environment=None):
     pool = concurrent.futures.ThreadPoolExecutor(jobs)
     try:
         for number, (entry, (folder, done)) in enumerate(zip(entries, pool.map(run, entries)), 1):
-            answer = {"time": "limit"} if done is None else reduced_run(done, pathlib.Path(folder.name), SOURCE, "--json" in entry.words)
+            answer = {"time": "limit"} if done is None else reduced_run(done, pathlib.Path(folder.name), SOURCE, "--json" in entry.words, with_words)
             folder.cleanup()
-            if sys.stderr.isatty() or number % 500 == 0:
+            if sys.stderr.isatty() or number % 250 == 0:
                 print(f"\r{number} of {len(entries)}, {time.monotonic() - begin:.0f} s ", end="", file=sys.stderr, flush=True)
             yield entry, answer
     finally:  # where the first that differs is enough
         pool.shutdown(cancel_futures=True)
 
 
-def recorded(entries, jobs, seconds):
+def recorded(entries, jobs, seconds, variations=SAME_ANSWER, with_words=True):
     """Answers by name, with the spread of what answers the same."""
-    answers = {entry.name: answer for entry, answer in answers_of(entries, jobs, seconds)}
+    answers = {entry.name: answer for entry, answer in answers_of(entries, jobs, seconds, None, with_words)}
     others = {name: [] for name in answers}
-    for environment, words in SAME_ANSWER:
-        changed = [dataclasses.replace(entry, words=(*entry.words, *words)) for entry in entries]
-        for entry, answer in answers_of(changed, jobs, seconds, environment):
+    for environment, words in variations:
+        changed = [dataclasses.replace(entry, words=(*entry.words, *words)) for entry in entries if answers[entry.name].get("exit") == 0]
+        for entry, answer in answers_of(changed, jobs, seconds, environment, with_words):
             # Another input is named among what the case states: its numbers alone count.
             kept = {path: one for path, one in answer.get("found", {}).items() if not words or is_number(one)}
             others[entry.name].append(answer | {"found": (answers[entry.name].get("found", {}) if words else {}) | kept})
@@ -162,10 +164,10 @@ def read(file):
     return json.loads(lzma.decompress(file.read_bytes()))
 
 
-def compare(entries, recorded, jobs, first=False, seconds=SECONDS):
+def compare(entries, recorded, jobs, first=False, seconds=SECONDS, with_words=True):
     """Prints what differs; the number of commands that do."""
     shown = differing = limited = 0
-    for entry, found in answers_of(entries, jobs, seconds):
+    for entry, found in answers_of(entries, jobs, seconds, None, with_words):
         expected = recorded.get(entry.name)
         if "time" in found or "time" in (expected or {}):
             limited += 1
@@ -178,7 +180,8 @@ def compare(entries, recorded, jobs, first=False, seconds=SECONDS):
                 print(f"{entry.name}\n    {text}", flush=True)
         if first and texts:
             break
-    gone = {name for name in recorded if not name.startswith("fmu ")} - {entry.name for entry in entries}
+    left_out = ("fmu ", "full text fmu ", *(("full ",) if LEFT_TO_FULL else ()))
+    gone = {name for name in recorded if not name.startswith(left_out)} - {entry.name for entry in entries}
     if shown > SHOWN:
         print(f"... {shown - SHOWN} more differences")
     print(f"{len(entries)} commands: {differing} differ" + (f", {limited} reached the time limit" if limited else ""))
@@ -211,16 +214,20 @@ def main():
     if choice.list:
         print("\n".join(f"{number} {entry.name}" for number, entry in enumerate(entries)))
         return 0
+    names = {entry.name for entry in entries}
+    if LEFT_TO_FULL and not (choice.only or choice.record or choice.whole):
+        entries = [entry for entry in entries if not entry.name.startswith("full ")]
     if choice.only:
         entries = [entries[number] for number in choice.only]
     if choice.times:
         times_of(entries)
         return 0
     if choice.record:
-        answers = recorded(entries, choice.jobs, choice.seconds)
-        written(choice.record, (read(choice.record) if choice.only else {}) | answers)
+        answers = recorded(entries, choice.jobs, choice.seconds, SAME_ANSWER[:1] if choice.whole else SAME_ANSWER, not choice.whole)
+        kept = {name: answer for name, answer in read(choice.record).items() if name in names} if choice.only else {}
+        written(choice.record, kept | answers)
         return 0
-    differing, gone = compare(entries, read(choice.compare or RECORD), choice.jobs, bool(choice.only), choice.seconds)
+    differing, gone = compare(entries, read(choice.compare or RECORD), choice.jobs, bool(choice.only), choice.seconds, not choice.whole)
     if gone and not choice.only:
         print("on record and no longer run:", *sorted(gone)[:SHOWN], sep="\n    ")
     return int(bool(differing or (gone and not choice.only)))
