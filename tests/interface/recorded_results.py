@@ -10,7 +10,7 @@ command, the path, what the record has and what was found. A record is no proof:
     recorded_results.py --only 3 14                compares these alone; ends at the first that differs
     recorded_results.py --times                    processor time of each command
     recorded_results.py --whole --record FILE      every case with every command that takes it, broken cases, changed inputs
-    recorded_results.py --whole --compare FILE     the same against a record (recorded_whole.py); half an hour on one core
+    recorded_results.py --whole --compare FILE     what that record holds, again (recorded_whole.py); some ten minutes of one core
 """
 
 import argparse
@@ -38,7 +38,7 @@ from recorded_reduction import FOLDER, differences, is_number, reduced_run, spre
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
 HERE = pathlib.Path(__file__).resolve().parent
 COMMANDS, RECORD = HERE / "recorded_results.txt", HERE / "recorded_results.json.xz"
-SHOWN = 40  # differences of one comparison
+SHOWN, SHOWN_OF_WHOLE = 40, 5000  # differences of one comparison
 SECONDS = 120.0  # of the processor, of one command
 PATIENCE = 30.0  # times as long on the wall as of the processor
 THEN = "&&"  # between commands of one line, which share a folder; what the last one answers counts
@@ -155,6 +155,16 @@ def recorded(entries, jobs, seconds, variations=SAME_ANSWER, with_words=True):
     return answers
 
 
+def with_commands(entries, answers):
+    """Of the whole corpus a record holds what was run, too: new cases change what is drawn."""
+    for entry in entries:
+        answers[entry.name] |= {"command": [word.replace(str(SOURCE), "SOURCE") for word in entry.words], "text": entry.text}
+
+
+def commands_of(answers):
+    return [Entry(name, tuple(word.replace("SOURCE", str(SOURCE)) for word in one["command"]), one["text"]) for name, one in answers.items()]
+
+
 def written(file, answers):
     text = json.dumps(answers, indent=0, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     file.write_bytes(lzma.compress(text.encode(), preset=9 | lzma.PRESET_EXTREME))
@@ -167,6 +177,7 @@ def read(file):
 def compare(entries, recorded, jobs, first=False, seconds=SECONDS, with_words=True):
     """Prints what differs; the number of commands that do."""
     shown = differing = limited = 0
+    most = SHOWN if with_words else SHOWN_OF_WHOLE
     for entry, found in answers_of(entries, jobs, seconds, None, with_words):
         expected = recorded.get(entry.name)
         if "time" in found or "time" in (expected or {}):
@@ -176,14 +187,14 @@ def compare(entries, recorded, jobs, first=False, seconds=SECONDS, with_words=Tr
         differing += bool(texts)
         for text in texts:
             shown += 1
-            if shown <= SHOWN:
+            if shown <= most:
                 print(f"{entry.name}\n    {text}", flush=True)
         if first and texts:
             break
     left_out = ("fmu ", "full text fmu ", *(("full ",) if LEFT_TO_FULL else ()))
     gone = {name for name in recorded if not name.startswith(left_out)} - {entry.name for entry in entries}
-    if shown > SHOWN:
-        print(f"... {shown - SHOWN} more differences")
+    if shown > most:
+        print(f"... {shown - most} more differences")
     print(f"{len(entries)} commands: {differing} differ" + (f", {limited} reached the time limit" if limited else ""))
     return differing, gone
 
@@ -208,7 +219,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seconds", type=float, default=SECONDS, help="limit of the processor time of each command")
     choice = parser.parse_args()
-    entries = recorded_whole.entries(SOURCE, Entry) if choice.whole else daily()
+    if choice.whole:
+        entries = commands_of(read(choice.compare)) if choice.compare else recorded_whole.entries(SOURCE, Entry)
+    else:
+        entries = daily()
     if choice.whole and choice.seconds == SECONDS:
         choice.seconds = recorded_whole.SECONDS
     if choice.list:
@@ -224,6 +238,8 @@ def main():
         return 0
     if choice.record:
         answers = recorded(entries, choice.jobs, choice.seconds, SAME_ANSWER[:1] if choice.whole else SAME_ANSWER, not choice.whole)
+        if choice.whole:
+            with_commands(entries, answers)
         kept = {name: answer for name, answer in read(choice.record).items() if name in names} if choice.only else {}
         written(choice.record, kept | answers)
         return 0
