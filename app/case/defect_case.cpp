@@ -19,7 +19,7 @@ namespace orbearing::app {
 namespace {
 
 void check_scratch_profile(CheckedCase& in) {
-  if (in.choice("defect.form") != "profile" ||
+  if (!in.has("defect.form") || in.choice("defect.form") != "profile" ||
       (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
     return;
   in.add_error_at("defect.form", "'profile' without three depths in defect.profile",
@@ -83,7 +83,7 @@ void check_planet_surface(CheckedCase& in) {
                     "outer, inner, roller or none is required");
   if (in.choice("defect.race") == "none") return;
   check_scratch(in, "roller");
-  if (in.choice("defect.form") == "as-printed")
+  if (in.has("defect.form") && in.choice("defect.form") == "as-printed")
     in.add_error_at("defect.form", "'as-printed', which jumps at both edges",
                     "a continuous form is required where all of the bearing moves");
 }

@@ -23,6 +23,8 @@ TOLERANCE = 1e-6  # of the sum of magnitudes
 TIMES_THE_SPREAD = 10.0
 CHAOTIC, OF_CHAOTIC = 0.1, 0.02  # where this share of the paths has a spread above 1e-6, all paths of the answer have at least this tolerance
 WORDS_OF_A_SENTENCE = 5
+OF_SENTENCE, OF_PRINTED = "numbers of", 0.01  # their tolerance: they are printed with few digits
+LEAST_NUMBER = 1e-30
 MOST_TEXTS = 6  # as they are
 MOST_COMPONENTS = 6  # of a vector or a matrix, each of which is a path of its own
 LABELS = ("path", "key", "name", "quantity", "requirement", "result")  # of a row
@@ -36,8 +38,8 @@ def weight(position):
 class Reduction:
     """Collects what stands at each path."""
 
-    def __init__(self):
-        self.numbers, self.texts, self.sentences, self.nothing = {}, {}, {}, {}
+    def __init__(self, with_words=True):
+        self.numbers, self.texts, self.sentences, self.nothing, self.with_words = {}, {}, {}, {}, with_words
 
     def add(self, path, value):
         if value is None or (isinstance(value, float) and not math.isfinite(value)):
@@ -51,7 +53,7 @@ class Reduction:
             one[0] += 1
         elif isinstance(value, str):
             if value.count(" ") >= WORDS_OF_A_SENTENCE:
-                self.sentences[path] = self.sentences.get(path, 0) + 1
+                self.add_sentence(path, value)
             else:
                 self.texts.setdefault(path, []).append(value)
         elif isinstance(value, dict):
@@ -70,6 +72,13 @@ class Reduction:
             for index, inner in enumerate(value):
                 self.add(path + (f"[{index}]" if components else "[]"), inner)
 
+    def add_sentence(self, path, text):
+        words = NUMBER.sub("#", text)
+        self.sentences.setdefault(path, []).append(words)
+        if self.with_words:
+            for number in NUMBER.findall(text):
+                self.add(f"{path} ({OF_SENTENCE} {digest([words])})", math.log10(abs(float(number.replace(",", ""))) + LEAST_NUMBER))
+
     def add_text(self, path, text):
         """Printed lines: their words by a digest, their numbers by each line's first words."""
         words = []
@@ -78,6 +87,8 @@ class Reduction:
             for number in NUMBER.findall(line):
                 self.add(f"{path}: {label}", float(number.replace(",", "")))
             words.append(NUMBER.sub(lambda found: "#" * len(found[0]), line).rstrip())  # columns keep their places
+        # The order of lines by size may change in motion, and the widths of numbers: words alone stay.
+        self.texts[f"{path} (words)"] = [digest(sorted({re.sub(r"#+", "#", re.sub(r"\s+", " ", line)) for line in words}))]
         if len(words) > MOST_TEXTS:
             self.texts[path] = [f"{len(words)} lines, {digest(words)}"]
         else:
@@ -87,8 +98,8 @@ class Reduction:
         found = {path: [count, float(f"{weighted:.10g}"), float(f"{size:.10g}")] for path, (count, weighted, size) in self.numbers.items()}
         for path, texts in self.texts.items():
             found[path + " (texts)"] = texts if len(texts) <= MOST_TEXTS else f"{len(texts)} texts, {digest(texts)}"
-        for path, count in self.sentences.items():
-            found[path + " (sentences)"] = count
+        for path, sentences in self.sentences.items():
+            found[path + " (sentences)"] = f"{len(sentences)}, {digest(sentences)}" if self.with_words else len(sentences)
         for path, count in self.nothing.items():
             found[path + " (nothing)"] = count
         return found
@@ -148,16 +159,17 @@ def add_file(into, folder, file):
         into.texts.setdefault("other files", []).append(name)
 
 
-def reduced_run(done, folder, source, as_json):
+def reduced_run(done, folder, source, as_json, with_words=True):
     """Of an ended process. What went wrong stands line by line; warnings on standard error by their count."""
     def plain(text):
         return text.replace(str(folder), FOLDER).replace(str(source), "SOURCE")
 
-    into = Reduction()
+    into = Reduction(with_words)
     if done.returncode != 0:
         lines = [line for line in plain(done.stderr).splitlines() if line.strip()]
     else:
-        into.sentences["standard error"] = len(done.stderr.splitlines())
+        for line in plain(done.stderr).splitlines():
+            into.add_sentence("standard error", line)
         lines = []
     text = plain(done.stdout)
     if as_json and text.strip():
@@ -203,7 +215,7 @@ def differences(expected, found):
     least = OF_CHAOTIC if changing > max(5, CHAOTIC * sum(map(is_number, before.values()))) else TOLERANCE
     for path in sorted(set(before) | set(now)):
         one, two = before.get(path), now.get(path)
-        bound = max(least, TIMES_THE_SPREAD * spread.get(path, 0.0))
+        bound = max(least, TIMES_THE_SPREAD * spread.get(path, 0.0), OF_PRINTED if OF_SENTENCE in path else 0.0)
         if one == two or bound >= 1.0 or (not HAS_NETCDF and ".nc: " in path):
             continue
         share = deviation(one, two)

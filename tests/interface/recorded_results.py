@@ -10,7 +10,7 @@ command, the path, what the record has and what was found. A record is no proof:
     recorded_results.py --only 3 14                compares these alone; ends at the first that differs
     recorded_results.py --times                    processor time of each command
     recorded_results.py --whole --record FILE      every case with every command that takes it, broken cases, changed inputs
-    recorded_results.py --whole --compare FILE     the same against a record (recorded_whole.py); half an hour on one core
+    recorded_results.py --whole --compare FILE     what that record holds, again (recorded_whole.py); some ten minutes of one core
 """
 
 import argparse
@@ -32,12 +32,13 @@ import tempfile
 import time
 
 import recorded_whole
+from program import LEFT_TO_FULL
 from recorded_reduction import FOLDER, differences, is_number, reduced_run, spread_of
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
 HERE = pathlib.Path(__file__).resolve().parent
 COMMANDS, RECORD = HERE / "recorded_results.txt", HERE / "recorded_results.json.xz"
-SHOWN = 40  # differences of one comparison
+SHOWN, SHOWN_OF_WHOLE = 40, 5000  # differences of one comparison
 SECONDS = 120.0  # of the processor, of one command
 PATIENCE = 30.0  # times as long on the wall as of the processor
 THEN = "&&"  # between commands of one line, which share a folder; what the last one answers counts
@@ -58,6 +59,7 @@ class Entry:
 def entry_of(line):
     """`run $reducer_150kW "input.power=75 kW" --fidelity dynamic`: settings as words with '='; `text run ...`: printed without --json."""
     words = shlex.split(line)
+    words = words[1:] if words[0] == "full" else words
     as_text = words[0] == "text"
     words = words[1:] if as_text else words
     made = [words[0]]
@@ -86,7 +88,7 @@ def case_file(name):
 def daily():
     lines = [line.strip() for line in COMMANDS.read_text(encoding="utf-8").splitlines()]
     # Builds under sanitizers have no library of our FMUs.
-    without = () if (pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib/orbearing/fmu/linux64").exists() else ("fmu ",)
+    without = () if (pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib/orbearing/fmu/linux64").exists() else ("fmu ", "full text fmu ")
     return [entry_of(line) for line in lines if line and not line.startswith(("#", *without))]
 
 
@@ -117,7 +119,7 @@ def within(seconds, command, folder, environment):
     return None if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else subprocess.CompletedProcess(command, process.returncode, out, err)
 
 
-def answers_of(entries, jobs, seconds=SECONDS, environment=None):
+def answers_of(entries, jobs, seconds=SECONDS, environment=None, with_words=True):
     """(entry, answer) in their order. Commands run beside each other; reduced is here alone, since netCDF takes one thread."""
     begin = time.monotonic()
 
@@ -128,22 +130,22 @@ def answers_of(entries, jobs, seconds=SECONDS, environment=None):
     pool = concurrent.futures.ThreadPoolExecutor(jobs)
     try:
         for number, (entry, (folder, done)) in enumerate(zip(entries, pool.map(run, entries)), 1):
-            answer = {"time": "limit"} if done is None else reduced_run(done, pathlib.Path(folder.name), SOURCE, "--json" in entry.words)
+            answer = {"time": "limit"} if done is None else reduced_run(done, pathlib.Path(folder.name), SOURCE, "--json" in entry.words, with_words)
             folder.cleanup()
-            if sys.stderr.isatty() or number % 500 == 0:
+            if sys.stderr.isatty() or number % 250 == 0:
                 print(f"\r{number} of {len(entries)}, {time.monotonic() - begin:.0f} s ", end="", file=sys.stderr, flush=True)
             yield entry, answer
     finally:  # where the first that differs is enough
         pool.shutdown(cancel_futures=True)
 
 
-def recorded(entries, jobs, seconds):
+def recorded(entries, jobs, seconds, variations=SAME_ANSWER, with_words=True):
     """Answers by name, with the spread of what answers the same."""
-    answers = {entry.name: answer for entry, answer in answers_of(entries, jobs, seconds)}
+    answers = {entry.name: answer for entry, answer in answers_of(entries, jobs, seconds, None, with_words)}
     others = {name: [] for name in answers}
-    for environment, words in SAME_ANSWER:
-        changed = [dataclasses.replace(entry, words=(*entry.words, *words)) for entry in entries]
-        for entry, answer in answers_of(changed, jobs, seconds, environment):
+    for environment, words in variations:
+        changed = [dataclasses.replace(entry, words=(*entry.words, *words)) for entry in entries if answers[entry.name].get("exit") == 0]
+        for entry, answer in answers_of(changed, jobs, seconds, environment, with_words):
             # Another input is named among what the case states: its numbers alone count.
             kept = {path: one for path, one in answer.get("found", {}).items() if not words or is_number(one)}
             others[entry.name].append(answer | {"found": (answers[entry.name].get("found", {}) if words else {}) | kept})
@@ -151,6 +153,16 @@ def recorded(entries, jobs, seconds):
         if spread := spread_of(answer, others[name]):
             answer["spread"] = spread
     return answers
+
+
+def with_commands(entries, answers):
+    """Of the whole corpus a record holds what was run, too: new cases change what is drawn."""
+    for entry in entries:
+        answers[entry.name] |= {"command": [word.replace(str(SOURCE), "SOURCE") for word in entry.words], "text": entry.text}
+
+
+def commands_of(answers):
+    return [Entry(name, tuple(word.replace("SOURCE", str(SOURCE)) for word in one["command"]), one["text"]) for name, one in answers.items()]
 
 
 def written(file, answers):
@@ -162,10 +174,11 @@ def read(file):
     return json.loads(lzma.decompress(file.read_bytes()))
 
 
-def compare(entries, recorded, jobs, first=False, seconds=SECONDS):
+def compare(entries, recorded, jobs, first=False, seconds=SECONDS, with_words=True):
     """Prints what differs; the number of commands that do."""
     shown = differing = limited = 0
-    for entry, found in answers_of(entries, jobs, seconds):
+    most = SHOWN if with_words else SHOWN_OF_WHOLE
+    for entry, found in answers_of(entries, jobs, seconds, None, with_words):
         expected = recorded.get(entry.name)
         if "time" in found or "time" in (expected or {}):
             limited += 1
@@ -174,13 +187,14 @@ def compare(entries, recorded, jobs, first=False, seconds=SECONDS):
         differing += bool(texts)
         for text in texts:
             shown += 1
-            if shown <= SHOWN:
+            if shown <= most:
                 print(f"{entry.name}\n    {text}", flush=True)
         if first and texts:
             break
-    gone = {name for name in recorded if not name.startswith("fmu ")} - {entry.name for entry in entries}
-    if shown > SHOWN:
-        print(f"... {shown - SHOWN} more differences")
+    left_out = ("fmu ", "full text fmu ", *(("full ",) if LEFT_TO_FULL else ()))
+    gone = {name for name in recorded if not name.startswith(left_out)} - {entry.name for entry in entries}
+    if shown > most:
+        print(f"... {shown - most} more differences")
     print(f"{len(entries)} commands: {differing} differ" + (f", {limited} reached the time limit" if limited else ""))
     return differing, gone
 
@@ -205,22 +219,31 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seconds", type=float, default=SECONDS, help="limit of the processor time of each command")
     choice = parser.parse_args()
-    entries = recorded_whole.entries(SOURCE, Entry) if choice.whole else daily()
+    if choice.whole:
+        entries = commands_of(read(choice.compare)) if choice.compare else recorded_whole.entries(SOURCE, Entry)
+    else:
+        entries = daily()
     if choice.whole and choice.seconds == SECONDS:
         choice.seconds = recorded_whole.SECONDS
     if choice.list:
         print("\n".join(f"{number} {entry.name}" for number, entry in enumerate(entries)))
         return 0
+    names = {entry.name for entry in entries}
+    if LEFT_TO_FULL and not (choice.only or choice.record or choice.whole):
+        entries = [entry for entry in entries if not entry.name.startswith("full ")]
     if choice.only:
         entries = [entries[number] for number in choice.only]
     if choice.times:
         times_of(entries)
         return 0
     if choice.record:
-        answers = recorded(entries, choice.jobs, choice.seconds)
-        written(choice.record, (read(choice.record) if choice.only else {}) | answers)
+        answers = recorded(entries, choice.jobs, choice.seconds, SAME_ANSWER[:1] if choice.whole else SAME_ANSWER, not choice.whole)
+        if choice.whole:
+            with_commands(entries, answers)
+        kept = {name: answer for name, answer in read(choice.record).items() if name in names} if choice.only else {}
+        written(choice.record, kept | answers)
         return 0
-    differing, gone = compare(entries, read(choice.compare or RECORD), choice.jobs, bool(choice.only), choice.seconds)
+    differing, gone = compare(entries, read(choice.compare or RECORD), choice.jobs, bool(choice.only), choice.seconds, not choice.whole)
     if gone and not choice.only:
         print("on record and no longer run:", *sorted(gone)[:SHOWN], sep="\n    ")
     return int(bool(differing or (gone and not choice.only)))

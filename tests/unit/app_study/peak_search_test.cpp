@@ -89,6 +89,35 @@ void expect_bracketed(const std::vector<LivedSpeed>& points, bool in_motion) {
 constexpr PeakSearch kQuasiStatic{};
 const PeakSearch kMotion{.in_motion = true};
 
+// 2 rpm at rest and 10 rpm in motion; of slow shafts 1/1000 and 1/200 of the speed.
+TEST(PeakSearch, ResolutionIsThatOfTheSpeed) {
+  EXPECT_DOUBLE_EQ(peak_resolution(6000.0, false), 2.0);
+  EXPECT_DOUBLE_EQ(peak_resolution(20.0, false), 0.02);
+  EXPECT_DOUBLE_EQ(peak_resolution(6000.0, true), 10.0);
+  EXPECT_DOUBLE_EQ(peak_resolution(20.0, true), 0.1);
+}
+
+// The top of the parabola through three points: 99.9 exp(0.0024) above the middle one where they lean, the
+// middle one itself where they do not. A hill whose top is below the best point is left.
+TEST(PeakSearch, AHillIsSearchedWhereItsTopMayBeHigher) {
+  const auto asked = [](double left, double right) {
+    const std::vector<double> speeds = next_speeds({{1000.0, 10.0},
+                                                    {1999.0, 99.0},
+                                                    {2000.0, 100.0},
+                                                    {2001.0, 99.0},
+                                                    {6180.0, left},
+                                                    {6200.0, 99.9},
+                                                    {6220.0, right},
+                                                    {9000.0, 20.0}},
+                                                   kQuasiStatic);
+    return std::ranges::count_if(speeds, [](double rpm) { return rpm > 6180.0 && rpm < 6220.0; });
+  };
+  EXPECT_EQ(asked(97.0, 99.5), 2);
+  EXPECT_EQ(asked(99.5, 97.0), 2);
+  EXPECT_EQ(asked(97.0, 97.0), 0);
+  EXPECT_EQ(asked(99.5, 99.5), 0);
+}
+
 TEST(PeakSearch, FindsASmoothPeakToTwoRpmInFewPoints) {
   for (const double peak : {1700.0, 4321.0, 5000.0, 5999.0, 9400.0}) {
     const std::vector<LivedSpeed> points = searched(smooth(peak), kQuasiStatic, grid(smooth(peak)));
