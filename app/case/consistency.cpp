@@ -21,6 +21,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/spatial/housing_stiffness.hpp"
 #include "gearset/stepped_planet.hpp"
 #include "mechanics/constants.hpp"
 
@@ -147,6 +148,24 @@ void check_error_lists(CheckedCase& in) {
                       "at least three values, at equal steps of a mesh period, are required");
 }
 
+void check_carrier_lists(CheckedCase& in) {
+  const char* positions = "gearset.carrier.bearing_positions";
+  if (!in.has(positions)) return;
+  const std::size_t bearings = in.list(positions).size();
+  if (bearings < 2)
+    return in.add_error_at(positions, fmt::format("a list of {}", bearings),
+                           "at least two bearings, which hold the carrier against tilting, are required");
+  const std::size_t seats = std::size_t{gearset::spatial::kSeatDirections} * bearings;
+  for (const auto& [path, count] : {std::pair{"gearset.carrier.bearing_stiffness", bearings},
+                                    {"gearset.carrier.bearing_clearance", bearings},
+                                    {"gearset.carrier.housing_stiffness", seats * seats},
+                                    {"gearset.carrier.rotor_force", std::size_t{3}},
+                                    {"gearset.carrier.rotor_moment", std::size_t{2}}})
+    if (in.has(path) && in.list(path).size() != count)
+      in.add_error_at(path, fmt::format("a list of {}", in.list(path).size()),
+                      fmt::format("{} values are required", count));
+}
+
 void check_roller_circle(CheckedCase& in) {
   if (!has_all(in, {"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
   const int rollers = in.integer("bearing.rollers");
@@ -249,6 +268,7 @@ void check_one_set(CheckedCase& in) {
   check_gears(in);
   check_machine(in);
   check_error_lists(in);
+  check_carrier_lists(in);
   check_roller_circle(in);
   const std::optional<Races> races = races_of(in);
   if (races) check_rings(in, *races);

@@ -143,5 +143,27 @@ TEST(Consistency, WantsAWholeCageOrNone) {
               ElementsAre(HasSubstr("a cage without")));
 }
 
+// Each list of the carrier has as many values as its bearings or directions ask for, at the place where it is stated.
+TEST(Consistency, ListsOfTheCarrierFitItsBearings) {
+  const std::string carrier = "gearset.carrier.";
+  const std::vector<std::string> sound{carrier + "bearing_positions=[-40 mm, 60 mm]",
+                                       carrier + "bearing_stiffness=[1e8 N/m, 2e8 N/m]"};
+  EXPECT_THAT(setting_mistakes(sound), IsEmpty());
+  const struct {
+    const char* list;
+    const char* count;
+  } wrong[]{{"bearing_stiffness=[1e8 N/m]", "a list of 1; 2 values are required"},
+            {"bearing_clearance=[1 um, 2 um, 3 um]", "a list of 3; 2 values are required"},
+            {"rotor_force=[1 N, 2 N]", "a list of 2; 3 values are required"},
+            {"rotor_moment=[1 N.m, 2 N.m, 3 N.m]", "a list of 3; 2 values are required"},
+            {"housing_stiffness=[1e9 N/m, 1e9 N/m]", "a list of 2; 36 values are required"},
+            {"bearing_positions=[1 mm]", "a list of 1; at least two bearings"}};
+  for (const auto& one : wrong) {
+    std::vector<std::string> settings = sound;
+    settings.push_back(carrier + one.list);
+    EXPECT_THAT(setting_mistakes(settings), Contains(HasSubstr(one.count))) << one.list;
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::app::consistency_test

@@ -1,4 +1,4 @@
-// What `run` does with a case, and for how long its motion is followed.
+// Analyses that `run` does with a case, and the duration of their motion.
 #include "app/study/analysis.hpp"
 
 #include <gtest/gtest.h>
