@@ -74,7 +74,7 @@ class Contact(unittest.TestCase):
             refused = call("run", neither, "--json")
             self.assertEqual(refused.returncode, 2)
             self.assertIn("contact.ellipticity: missing", refused.stderr)
-        self.assertIn("or contact.length instead", refused.stderr)
+            self.assertIn("or contact.length instead", refused.stderr)
             line = pathlib.Path(place) / "line"
             done = call("run", CASES / "reynolds_line" / "case.yaml", "-o", line, "--json")
             row = json.loads(done.stdout)["film"][0]
