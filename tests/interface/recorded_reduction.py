@@ -140,12 +140,12 @@ def add_netcdf(into, name, file):
                                                                 if isinstance(variable.getncattr(one), str)] + list(variable.dimensions))]
 
 
-def add_file(into, folder, file):
+def add_file(into, folder, file, plain):
     name = re.sub(r"\d{5}", "#", file.relative_to(folder).as_posix())
     if file.suffix == ".json":
-        into.add(f"{name}: ", json.loads(file.read_text(encoding="utf-8")))
+        into.add(f"{name}: ", json.loads(plain(file.read_text(encoding="utf-8"))))
     elif file.suffix == ".csv":
-        add_csv(into, name, file.read_text(encoding="utf-8"))
+        add_csv(into, name, plain(file.read_text(encoding="utf-8")))
     elif file.suffix == ".nc":
         add_netcdf(into, name, file)
     elif file.suffix == ".fmu":
@@ -154,7 +154,7 @@ def add_file(into, folder, file):
                 own = r"[{]?[0-9a-f-]{16,}[}]?|version=\S+|generationTool=\S+ \S+|\d{4}-\d\d-\d\dT\S+"  # of this version and day
                 into.add_text(f"{name}: {part}", re.sub(own, "ID", archive.read(part).decode()))
     elif file.suffix in (".yaml", ".xls", ".txt"):
-        into.add_text(name, file.read_text(encoding="utf-8", errors="replace"))
+        into.add_text(name, plain(file.read_text(encoding="utf-8", errors="replace")))
     else:
         into.texts.setdefault("other files", []).append(name)
 
@@ -181,7 +181,7 @@ def reduced_run(done, folder, source, as_json, with_words=True):
         into.add_text("printed", text)
     for file in sorted(folder.rglob("*")):
         if file.is_file() and file.name != "case.yaml":
-            add_file(into, folder, file)
+            add_file(into, folder, file, plain)
     return {"exit": done.returncode, "found": into.record()} | ({"messages": lines} if lines else {})
 
 
