@@ -155,15 +155,19 @@ void check_carrier_lists(CheckedCase& in) {
   if (bearings < 2)
     return in.add_error_at(positions, fmt::format("a list of {}", bearings),
                            "at least two bearings, which hold the carrier against tilting, are required");
-  const std::size_t seats = std::size_t{gearset::spatial::kSeatDirections} * bearings;
   for (const auto& [path, count] : {std::pair{"gearset.carrier.bearing_stiffness", bearings},
                                     {"gearset.carrier.bearing_clearance", bearings},
-                                    {"gearset.carrier.housing_stiffness", seats * seats},
                                     {"gearset.carrier.rotor_force", std::size_t{3}},
                                     {"gearset.carrier.rotor_moment", std::size_t{2}}})
     if (in.has(path) && in.list(path).size() != count)
       in.add_error_at(path, fmt::format("a list of {}", in.list(path).size()),
                       fmt::format("{} values are required", count));
+  const char* housing = "gearset.carrier.housing_stiffness";
+  const std::size_t seats = std::size_t{gearset::spatial::kSeatDirections} * bearings;
+  if (in.has(housing) && in.list(housing).size() != seats * seats)
+    in.add_error_at(housing, fmt::format("a list of {}", in.list(housing).size()),
+                    fmt::format("{} values, {} rows and columns for {} bearings, are required", seats * seats,
+                                seats, bearings));
 }
 
 void check_roller_circle(CheckedCase& in) {

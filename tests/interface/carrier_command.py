@@ -195,7 +195,7 @@ class Carrier(unittest.TestCase):
         self.assertNotIn("in_three_dimensions", answer(command="modes", words=("--speed", "20 rpm")))
 
     def test_what_is_not_used_is_refused_before_it_is_computed(self):
-        result = call(*HELD, "gearset.carrier.bearing_stiffness=[3e9 N/m]", "bearing.tilt_state=stated", "bearing.roller_diameter_deviation=[1 um]")
+        result = call(*HELD, "bearing.tilt_state=stated", "bearing.roller_diameter_deviation=[1 um]")
         self.assertEqual(result.returncode, 2)
         self.assertIn("bearing.roller_diameter_deviation", result.stderr)
         self.assertIn("which carrier cannot take into account", result.stderr)
@@ -230,7 +230,7 @@ class Carrier(unittest.TestCase):
                             ("x1_N_per_mm, y1_mm, z1_N_per_mm\n1, 0, 0\n0, 1, 0\n0, 0, 1\n", ":2:4: gearset.carrier.housing_stiffness: '0 mm'"),
                             ("x1, y1, z1\n1, 0, 0\n0, 1, 0\n0, 0, 1\n", ":1:1: gearset.carrier.housing_stiffness: the column 'x1' without a unit"),
                             ("x1_N_per_mm, x2_N_per_mm, z1_N_per_mm\n1, 0, 0\n", ":1:14: gearset.carrier.housing_stiffness: the column 'x2_N_per_mm'"),
-                            (head + "1, 0, 0\n0, 1, 0\n0, 0, 1\n", "found 9 values; required: 36, 6 rows and columns for 2 bearings")):
+                            (head + "1, 0, 0\n0, 1, 0\n0, 0, 1\n", "a list of 9; 36 values, 6 rows and columns for 2 bearings, are required")):
             with tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "housing.csv"
                 file.write_text(text, encoding="utf-8")
@@ -241,8 +241,8 @@ class Carrier(unittest.TestCase):
     def test_refusals(self):
         for settings, words in (
                 (("gearset.carrier.bearing_positions=[0 mm]", "gearset.carrier.bearing_stiffness=[3e9 N/m]"), "at least two bearings"),
-                (("gearset.carrier.bearing_stiffness=[3e9 N/m]",), "gearset.carrier.bearing_stiffness: found 1 values; required: 2"),
-                (("gearset.carrier.rotor_moment=[1 N.m]",), "required: none or 2"),
+                (("gearset.carrier.bearing_stiffness=[3e9 N/m]",), "gearset.carrier.bearing_stiffness: a list of 1; 2 values are required"),
+                (("gearset.carrier.rotor_moment=[1 N.m]",), "gearset.carrier.rotor_moment: a list of 1; 2 values are required"),
                 (("gearset.helix_angle=0 deg", "bearing.tilt_state=stated", "gearset.planet_rim=elastic"), "gearset.planet_rim")):
             result = call(*HELD, *settings)
             self.assertEqual(result.returncode, 2, settings)

@@ -156,7 +156,7 @@ TEST(Consistency, ListsOfTheCarrierFitItsBearings) {
             {"bearing_clearance=[1 um, 2 um, 3 um]", "a list of 3; 2 values are required"},
             {"rotor_force=[1 N, 2 N]", "a list of 2; 3 values are required"},
             {"rotor_moment=[1 N.m, 2 N.m, 3 N.m]", "a list of 3; 2 values are required"},
-            {"housing_stiffness=[1e9 N/m, 1e9 N/m]", "a list of 2; 36 values are required"},
+            {"housing_stiffness=[1e9 N/m, 1e9 N/m]", "a list of 2; 36 values, 6 rows and columns"},
             {"bearing_positions=[1 mm]", "a list of 1; at least two bearings"}};
   for (const auto& one : wrong) {
     std::vector<std::string> settings = sound;
