@@ -143,6 +143,7 @@ class ComputedTilt(unittest.TestCase):
         self.assertGreater(advice["drop_um"], self.study["recommended"]["drop_um"])
         self.assertGreater(advice["points"][0]["load_share"], 1.2)
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_tolerances_cost_life_by_their_probability(self):
         """The uniform ones in tools/test --full, or by hand. Of few rollers, as each point of a quadrature has its own half-space pressures."""
         few = ["--drops", "4 um", "--starts", "1", "--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad", "--set", "bearing.laminae=16",

@@ -11,6 +11,7 @@ and ends by `kept_records.main(RECORDS)`, by which `--record` writes the file an
 import json
 import lzma
 import math
+import os
 import re
 import sys
 import unittest
@@ -19,6 +20,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 FOLDER = Path(__file__).with_name("records")
 DIGITS = 6
+LEFT_TO_FULL = os.environ.get("ORBEARING_FULL") == "no"  # as in program.py, which calls the program
 RELATIVE = 1e-5  # a change of the last digit but one; another compiler or library changes some 1e-12
 OF_LARGEST = 1e-9  # of a list: below this share of its largest number all is round-off
 ROUND_OFF = 1e-14  # what is zero but for it

@@ -151,6 +151,7 @@ class SlowSets(unittest.TestCase):
 
 
 class FullComplement(unittest.TestCase):
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_one_way_is_one_system(self):
         free = ("gearset.mesh_variation=false", *SHORT)
         one_way, said = point_of(*free, case=NEEDLES)

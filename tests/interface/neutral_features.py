@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 from combinations import ANGLES, BINS, DEFECT, FEATURES, PAIRS, SEVERAL
-from program import REDUCER, SETS, run, settings
+from program import LEFT_TO_FULL, REDUCER, SETS, run, settings
 
 FEATURE = {feature.name: feature for feature in FEATURES}
 ROUND_OFF = 1e-9  # searches that take another way to the same end
@@ -185,6 +185,7 @@ class NeutralFeatures(unittest.TestCase):
         os.chdir(folder.name)
         cls.runs = Runs(folder.name)
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_a_feature_of_neutral_strength_leaves_the_other_as_it_is(self):
         tried = [(name.name, other.name) for pair in PAIRS for name, other in (pair, pair[::-1]) if other.name not in NEUTRAL[name.name].not_beside]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -377,6 +377,7 @@ class PageSteps:
                     tile = self.all("#tiles .tile")[0]
                     self.assertEqual((tile.get_attribute("data-key"), "chief" in tile.get_attribute("class")), (governing["key"], True))
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_clearance_speed_and_oil_are_changed(self):
         self.open_template("wind-stage")
         before = self.find("#tiles [data-key=L10mrh] .figure").get_attribute("data-value")
@@ -406,6 +407,7 @@ class PageSteps:
         webdriver.ActionChains(self.driver).move_to_element(chip).click().perform()
         self.computed()
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_power_or_torque_and_the_catalogue(self):
         self.open_text(MOVING)
         self.press_chip("[data-instead='input.torque']")
@@ -652,6 +654,7 @@ class PageSteps:
         for i, one in enumerate(expected["bins"]):
             self.assert_same(shown[6 * i:6 * i + 6], [one["power_kW"], one["torque_N_m"], one["speed_rpm"], 100 * one["share"], 100 * one["damage_share"], one["life_h"]])
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_crown_modes_mesh_and_assumptions(self):
         self.open_text(MOVING)
         card = self.open_card("crown")
@@ -811,6 +814,7 @@ class PageSteps:
         self.enter("bearing.designation", "NU 204")
         self.assertFalse(self.all(".row.bad"))
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_a_bearing_without_rings_and_what_cannot_be_chosen(self):
         self.open_text((CASES / "reducer_needles" / "case.yaml").read_text())
         self.assertIn("rings: none", self.text)

@@ -290,6 +290,7 @@ class Results(unittest.TestCase):
         meshes = case.mesh().to_xarray()
         self.assertEqual(meshes.stiffness_N_per_m.dims, ("mesh", "fraction"))
 
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_motion_keeps_its_series_and_report(self):
         case = orbearing.load(REDUCER, {"simulation.observed_revolutions": 1, "simulation.most_revolutions": 2})
         result = case.run(fidelity="dynamic")
@@ -297,6 +298,7 @@ class Results(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn(b"<svg", result.report(pathlib.Path(folder) / "new" / "page.html").read_bytes())
 
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_figures_of_the_report_are_functions_of_results(self):
         figures = orbearing.load(REDUCER, {"sweep.input.speed": ["6000 rpm"]}).sweep(grid_only=True).figures()
         self.assertEqual(len(figures["life"].pictures), 2)

@@ -50,6 +50,7 @@ class ResultSchema(unittest.TestCase):
         self.assertEqual(SCHEMA["$defs"]["run sweep"]["properties"]["points"]["items"]["properties"]["C_N"],
                          {"type": ["number", "null"], "description": "basic dynamic load rating", "unit": "N", "symbol": "C"})
 
+    @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_has_what_is_printed(self):
         for case in sorted(CASES.glob("*/case.yaml")):
             for command in QUICK if LEFT_TO_FULL and case != REDUCER else QUICK + LONG:

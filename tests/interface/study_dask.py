@@ -92,6 +92,7 @@ class OnWorkers(unittest.TestCase):
         self.assertEqual(set(finished_counts(folder)), {1}, "a point was lost or came twice")
         self.assertTrue((folder / DATASET).read_bytes() == self.whole, f"another store, SEED={SEED}")
 
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_workers_killed(self):
         with LocalCluster(n_workers=4 if FULL else 2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
             killer = Killer(cluster, self.seconds)

@@ -164,6 +164,7 @@ class FilesThatEnd(InAFolder):
         self.assertEqual((self.place / "st" / "study.nc").read_bytes(), (self.place / "whole" / "study.nc").read_bytes())
 
     @unittest.skipUnless(SAMPLES, "openturns, xarray, netCDF4 and matplotlib are required")
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_a_study_of_uncertainty_goes_on(self):
         words = ("uncertainty", UNCERTAIN, "-o", "u", "--quiet", *FEW)
         stopped = self.limited(20, *words)
@@ -211,6 +212,7 @@ class Reports(InAFolder):
         return json.loads(self.done("report", folder, "--data-only", "--json").stdout)
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_nothing_is_interpolated(self):
         """10,504 h were printed for the 49,356 h that are computed at 6000 rpm."""
         folder = self.sweep("two", "--grid-only", "--set", "sweep={input.speed: [3000 rpm, 9000 rpm]}")
@@ -228,6 +230,7 @@ class Reports(InAFolder):
         self.assertNotIn("ours there", text)
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
+    @unittest.skipIf(program.LEFT_TO_FULL, "left to tools/test --full")
     def test_a_part_of_a_sweep_is_told_as_one(self):
         brief = program.settings((THREE, *program.BRIEF_GEARS))  # gears at forty speeds, which nothing here asks for
         shard = self.sweep("shard", "--shard", "1/2", *brief)
