@@ -40,15 +40,10 @@ void require_length(const std::vector<double>& list, std::size_t length, const s
 void require_housing(const spatial::CarrierMounting& mounting) {
   if (mounting.housing.empty()) return;
   const std::size_t rows = spatial::kSeatDirections * mounting.positions.size();
-  const std::string name = "gearset.carrier.housing_stiffness";
-  if (mounting.housing.size() != rows * rows)
-    throw std::invalid_argument(name + ": found " + std::to_string(mounting.housing.size()) +
-                                " values; required: " + std::to_string(rows * rows) + ", " +
-                                std::to_string(rows) + " rows and columns for " +
-                                std::to_string(mounting.positions.size()) + " bearings");
+  require_length(mounting.housing, rows * rows, "housing_stiffness", true);
   if (const auto fault =
           spatial::housing_fault(spatial::matrix_of_rows(mounting.housing), mounting.positions))
-    throw std::invalid_argument(name + ": found " + fault->found + "; required: " + fault->required);
+    throw std::invalid_argument("gearset.carrier.housing_stiffness: found " + fault->found + "; required: " + fault->required);
 }
 
 std::vector<spatial::CarrierBearing> carrier_bearings(const spatial::CarrierMounting& mounting) {
@@ -386,10 +381,7 @@ void describe(Record& record, const CarrierRevolution& revolution) {
 
 void require_sound(const spatial::CarrierMounting& mounting) {
   const std::size_t bearings = mounting.positions.size();
-  if (bearings < 2)
-    throw std::invalid_argument("gearset.carrier.bearing_positions: found " + std::to_string(bearings) +
-                                " values; required: at least two bearings, which hold the carrier against "
-                                "tilting");
+  if (bearings < 2) require_length(mounting.positions, 2, "bearing_positions", false);
   require_length(mounting.radial_stiffness, bearings, "bearing_stiffness", false);
   require_length(mounting.clearances, bearings, "bearing_clearance", true);
   require_housing(mounting);
