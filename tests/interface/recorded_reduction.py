@@ -17,6 +17,7 @@ import zipfile
 HAS_NETCDF = importlib.util.find_spec("netCDF4") is not None
 
 FOLDER = "FOLDER"  # in words of a command: a folder of its own
+SOURCE = "SOURCE"  # in what is reduced: the folder of the sources
 TOLERANCE = 1e-6  # of the sum of magnitudes
 # Motion with impacts magnifies round-off, and a search may end a step earlier: a record holds by how much each path changes with the instruction
 # set and with the fourteenth digit of an input ("spread"). Answers of other compilers may differ by more than these samples do.
@@ -81,6 +82,8 @@ class Reduction:
 
     def add_text(self, path, text):
         """Printed lines: their words by a digest, their numbers by each line's first words."""
+        if SOURCE in text or FOLDER in text:  # columns are as wide as the names of folders, which differ between machines
+            text = re.sub(r" +", " ", text)
         words = []
         for line in text.splitlines():
             label = " ".join(re.findall(r"[A-Za-z_]\S*", NUMBER.sub(" ", line))[:2])
@@ -162,7 +165,7 @@ def add_file(into, folder, file, plain):
 def reduced_run(done, folder, source, as_json, with_words=True):
     """Of an ended process. What went wrong stands line by line; warnings on standard error by their count."""
     def plain(text):
-        return text.replace(str(folder), FOLDER).replace(str(source), "SOURCE")
+        return text.replace(str(folder), FOLDER).replace(str(source), SOURCE)
 
     into = Reduction(with_words)
     if done.returncode != 0:
