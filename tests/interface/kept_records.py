@@ -26,6 +26,7 @@ OF_LARGEST = 1e-9  # of a list: below this share of its largest number all is ro
 ROUND_OFF = 1e-14  # what is zero but for it
 WHOLE = 24  # numbers of a list that is kept as it is; of a longer one samples and sums are kept
 NUMBER = re.compile(r"[-−+]?\d[\d,]*\.?\d*(?:e[-−+]?\d+)?")
+COLOUR = re.compile(r"#(?:[0-9a-f]{2}){3,4}")
 RECORDING = "--record" in sys.argv
 
 
@@ -63,10 +64,17 @@ def same_number(one, other, largest=0.0):
     return abs(one - other) <= max(RELATIVE * abs(other), OF_LARGEST * largest, ROUND_OFF)
 
 
+def same_colour(one, other):
+    """Up to a step of a colour map, 3 of 255: a value between two of its steps may be rounded either way by its last bit."""
+    return all(abs(a - b) <= 3 for a, b in zip(bytes.fromhex(one[1:]), bytes.fromhex(other[1:]), strict=True))
+
+
 def same_text(one, other):
     """The same words, and numbers that agree."""
     if one == other:
         return True
+    if len(one) == len(other) and COLOUR.fullmatch(one) and COLOUR.fullmatch(other):
+        return same_colour(one, other)
     if NUMBER.split(one) != NUMBER.split(other):
         return False
     value = lambda text: float(text.replace(",", "").replace("−", "-"))  # noqa: E731
