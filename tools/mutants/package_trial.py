@@ -18,6 +18,7 @@ LONGEST = 1800.0  # [s] of a test without an error
 USES = re.compile(r"\borbearing\b(?! (run|sweep|check)\b)|\bpackage\(|\"(report|study|uncertainty|validate)\"")
 CALLS = re.compile(r"^(from|import) program\b|\bORBEARING\b", re.M)  # the program, which takes longer
 SKIPPED = (0, 77)
+OF_THIS_TOOL = "mutation_tool.py"  # names the package's folder and does not use it
 
 
 class PackageCopies:
@@ -47,17 +48,18 @@ class PackageCopies:
         return folder
 
     def tests(self, mutant: Mutant) -> list[pathlib.Path]:
-        """Those that use the package: first those with a name like the error's module or folder, then those that name them; the quick ones first."""
+        """Those that use the package: first those with a name like the error's module or folder, then records, which ask most of it in a few seconds,
+        then those that name the module; the quick ones first."""
         path = pathlib.PurePosixPath(mutant.file)
         words = [path.stem.split("_")[0]] + ([path.parent.name] if path.parent.name != "orbearing" else [])
         found = []
         for test in sorted((self.root / "tests" / "interface").glob("*.py")):
             text = test.read_text(encoding="utf-8")
-            if re.search(r"^if __name__ == .__main__.:", text, re.M) and USES.search(text):
+            if test.name != OF_THIS_TOOL and re.search(r"^if __name__ == .__main__.:", text, re.M) and USES.search(text):
                 seconds = self.times.get(test.name, 30.0)
                 unlike = sum(not test.name.startswith(word[:8].removesuffix("s")) for word in words)
                 unnamed = sum(re.search(rf"\b{word}", text) is None for word in words)
-                found.append((unlike, unnamed, CALLS.search(text) is not None, seconds, test))
+                found.append((unlike, not test.name.endswith("_recorded.py"), unnamed, CALLS.search(text) is not None, seconds, test))
         return [test for *_, test in sorted(found)]
 
     def ask(self, test: pathlib.Path, folder: pathlib.Path, seconds: float) -> tuple[int, str]:
