@@ -22,10 +22,13 @@ OF_THIS_TOOL = "mutation_tool.py"  # names the package's folder and does not use
 
 
 class PackageCopies:
-    """In home/package_0, home/package_1 and so on: bin, lib and python as in the folder of a build, whose program and library are used."""
+    """In home/package_0, home/package_1 and so on: bin, lib and python as in the folder of a build, whose program and library are used.
 
-    def __init__(self, root: pathlib.Path, home: pathlib.Path, build: pathlib.Path, jobs: int):
-        self.root, self.home, self.build = root, home, build
+    Tests that take more than `longest` [s] are not asked.
+    """
+
+    def __init__(self, root: pathlib.Path, home: pathlib.Path, build: pathlib.Path, jobs: int, longest: float = LONGEST):
+        self.root, self.home, self.build, self.longest = root, home, build, longest
         self.free: queue.Queue[pathlib.Path] = queue.Queue()
         for number in range(jobs):
             self.free.put(self._copy(home / f"package_{number}"))
@@ -57,6 +60,8 @@ class PackageCopies:
             text = test.read_text(encoding="utf-8")
             if test.name != OF_THIS_TOOL and re.search(r"^if __name__ == .__main__.:", text, re.M) and USES.search(text):
                 seconds = self.times.get(test.name, 30.0)
+                if seconds > self.longest:
+                    continue
                 unlike = sum(not test.name.startswith(word[:8].removesuffix("s")) for word in words)
                 unnamed = sum(re.search(rf"\b{word}", text) is None for word in words)
                 found.append((unlike, not test.name.endswith("_recorded.py"), unnamed, CALLS.search(text) is not None, seconds, test))

@@ -293,11 +293,11 @@ class Copy:
             return "none", "", len(asked)
         return "interface", f"recorded_results: {output.splitlines()[0] if output else '?'}{' (did not end)' if code == 124 else ''}", len(asked)
 
-    def interface_finder(self, number: int, tell) -> tuple[str, str]:
-        """The same of the tests of the program from outside, which are asked last: they take minutes."""
+    def interface_finder(self, number: int, tell, quick: bool = False) -> tuple[str, str]:
+        """The same of the tests of the program from outside, which are asked last: they take minutes, but for the messages."""
         self.make_program()
         messages, left_out = "^interface.messages$", ["windows", "wine", "recorded_results"]
-        for chosen in (messages, "^interface"):  # what is said first: it takes a minute
+        for chosen in (messages,) if quick else (messages, "^interface"):
             for _ in range(20):
                 ctest = ["ctest", "--test-dir", self.folder, "-L", "^interface$", "-R", chosen, "-E", "|".join(left_out), "--stop-on-failure",
                          "-j", str(self.jobs)]
@@ -314,7 +314,7 @@ class Copy:
             left_out.append(messages)
         return "none", ""
 
-    def judge_alone(self, mutant: Mutant) -> tuple[str, str, int]:
+    def judge_alone(self, mutant: Mutant, quick: bool = False) -> tuple[str, str, int]:
         """Of an error that cannot stand beside the right statement: built by itself. "no program" where it does not compile."""
         inside, self.inside = self.inside, {}
         kept = (self.tree / mutant.file).read_text(encoding="utf-8")
@@ -324,7 +324,7 @@ class Copy:
             if not self.compiles(mutant) or not self.make():
                 return "no program", "", 0
             asked = 0
-            for kinds in STAGES:
+            for kinds in STAGES[:1] if quick else STAGES:
                 kind, test, more = self.finder(mutant, -1, kinds)
                 asked += more
                 if kind != "none":
