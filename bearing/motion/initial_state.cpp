@@ -65,15 +65,10 @@ void tilt_rollers(const BearingModel& model, Eigen::Ref<Eigen::VectorXd> x) {
 
 }  // namespace
 
-std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
-  return options.film_approach == FilmApproach::added ? options.film : std::nullopt;
-}
-
 QuasiStaticOptions start_options(const DynamicsParameters& parameters) {
   QuasiStaticOptions options;
   options.inertia = parameters.inertia;
   if (parameters.race.film_in_approach) options.film = parameters.lubricant;
-  options.film_approach = parameters.race.film_approach;
   return options;
 }
 
@@ -110,7 +105,7 @@ InitialState initial_state(const Bearing& bearing, const BearingModel& model,
   const Vector2 bore = balance.report.converged ? Vector2(pin + balance.displacement) : Vector2::Zero();
   place_bodies(
       model,
-      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options)),
+      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, options.film),
       balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
   return start;
 }
