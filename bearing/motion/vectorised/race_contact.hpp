@@ -418,7 +418,7 @@ inline ContactForce<PackPair> contact_force(const RaceMotion& m, const RaceLoads
 }
 
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
-/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' angles. `stand` is
+/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' angles. `approaches` is
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<PackPair> race_contact(const RacePair& race, const Pack& radius, const Mask& present,
