@@ -98,17 +98,6 @@ constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
   return {{{ContactLaw::palmgren, "palmgren"}, {ContactLaw::iso16281, "iso16281"}}};
 }
 
-/// Effect of a film on the approach of roller and race.
-enum class FilmApproach {
-  added,               // elastic approach = geometric approach + film
-  literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
-                       // bearing/contact/race_contact.hpp
-};
-
-constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
-  return {{{FilmApproach::added, "added"}, {FilmApproach::literature_variant, "as-printed"}}};
-}
-
 /// Motion of a race relative to the load: every point of a rotating one passes the load zone.
 enum class RaceMotion { rotating, stationary };
 

@@ -60,7 +60,7 @@ std::string nearest_to_even(const PlanetarySet& set) {
   return text + "]";
 }
 
-bool stands_unevenly(const PlanetarySet& set) {
+bool is_unequally_spaced(const PlanetarySet& set) {
   if (set.planet_angles.empty()) return false;
   const std::vector<double> even = even_angles(set.planets), angles = angles_of_planets(set);
   return !std::equal(even.begin(), even.end(), angles.begin(), angles.end(),

@@ -16,12 +16,12 @@ std::vector<double> even_angles(int planets);
 /// where teeth fit, Eq. (23) of gearset/README.md; of a set without teeth as they are stated.
 std::vector<double> angles_of_planets(const PlanetarySet& set);
 
-/// Those of `set.planets` planets nearest to equal steps at which teeth fit, as a case would state them: "[0 deg,
-/// 92.3077 deg, ...]". Empty where two of them are one.
+/// Those of `set.planets` planets nearest to equal steps at which teeth fit, as a case would state them: "[0
+/// deg, 92.3077 deg, ...]". Empty where two of them are one.
 std::string nearest_to_even(const PlanetarySet& set);
 
 /// Whether planets follow one another at unequal steps.
-bool stands_unevenly(const PlanetarySet& set);
+bool is_unequally_spaced(const PlanetarySet& set);
 
 /// Reasons why planets cannot be at the stated positions: their number, their order, teeth that do not fit
 /// there. Empty if they can.

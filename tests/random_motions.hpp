@@ -115,7 +115,6 @@ class RandomMotion {
   void draw_oil(motion::DynamicsParameters& parameters) {
     parameters.lubricant = {decades(0.002, 0.3), between(1e-8, 2.5e-8)};
     parameters.race.film_in_approach = chance(0.5);
-    if (chance(0.05)) parameters.race.film_approach = FilmApproach::literature_variant;
     if (chance(0.5)) parameters.race.traction = motion::TractionLaw::limiting_shear;
     if (chance(0.4)) parameters.race.lubrication = motion::Lubrication::mixed;
     parameters.race.roughness = decades(0.05e-6, 2e-6);
@@ -138,7 +137,6 @@ class RandomMotion {
     bearing.cage.guidance = chance(0.5) ? Race::outer : Race::inner;
     cage.guide_diameter = bearing.cage.guidance == Race::outer ? bearing.cage.outer_diameter + clearance
                                                                : bearing.cage.inner_diameter - clearance;
-    if (chance(0.05)) cage.guidance_film = motion::GuidanceFilm::literature_variant;
   }
 
   void draw_surroundings(MotionDraw& draw) {

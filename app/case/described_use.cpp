@@ -78,7 +78,7 @@ const Exception exceptions[] = {
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {{"gearset.dynamics.planet.bearing_stiffness"}, 0, 0, use::dynamic},
     {{"gearset.dynamics.damping_ratio.bearing"}, 0, use::fmu_gearset, use::one_set_in_time},
-    {{"film.approach", "bearing.cage.reference_speed", "simulation.integrator"},
+    {{"simulation.integrator"},
      other_rungs | use::fmu_bearing},
     {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean assumes identical rollers
     {{"bearing.misalignment.planet_tilt"}, 0, use::crown},

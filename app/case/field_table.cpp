@@ -45,7 +45,7 @@ const std::pair<std::string_view, std::vector<std::string_view>> written_first[]
     {"bearing.cage.",
      {"inner_diameter", "outer_diameter", "width", "material", "density", "guide_land_diameter", "guidance",
       "pocket_clearance", "pocket_stiffness", "pocket_damping", "pocket_friction", "largest_eccentricity",
-      "touch_down_stiffness", "guidance_film"}},
+      "touch_down_stiffness"}},
     {"contact.", {"law", "damping", "lubrication", "roughness", "boundary_friction"}}};
 
 // Blocks stay together in what is written from the table, whichever file adds their fields.

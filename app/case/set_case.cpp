@@ -21,7 +21,7 @@ bool is_uneven(const ResolvedCase& in, const std::string& positions) {
     set.sun_teeth = in.integer("gearset.teeth.sun");
     set.ring_teeth = in.integer("gearset.teeth.ring");
   }
-  return gearset::stands_unevenly(set);
+  return gearset::is_unequally_spaced(set);
 }
 
 }  // namespace

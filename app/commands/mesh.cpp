@@ -2,7 +2,6 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/results/terminal_chart.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/plausibility.hpp"
 
@@ -16,8 +15,7 @@ int mesh_command(const Options& options) {
       require_used(resolved, of_machine != nullptr ? of_machine->used : use::mesh);
   const MeshStudy study = mesh_study(resolved);
   present_record(resolved, record_of(study),
-                 joined(study.warnings, judge(observations(resolved)).warnings, unused), options,
-                 mesh_charts(study, glyphs_of_locale()));
+                 joined(study.warnings, judge(observations(resolved)).warnings, unused), options);
   return 0;
 }
 

@@ -11,7 +11,7 @@
 #include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/motion_summary.hpp"
-#include "app/results/terminal_chart.hpp"
+#include "app/results/sweep_table.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/standard_error.hpp"
 #include "app/study/carrier_study.hpp"
@@ -220,7 +220,7 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
       fmt::print("{}\n", motion_summary_text(outcome.head, outcome.header.sets, outcome.rows.front(),
                                              skid_risk_of_run(resolved, outcome)));
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
-               life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
+               peak_text(outcome.head, outcome.rows, found.peak),
                spectrum_text(outcome.header, outcome.spectra));
     if (const auto verdicts = verdicts_of(stated_requirements(resolved), outcome); !verdicts.empty())
       fmt::print("\n{}", verdicts_text(verdicts));

@@ -15,6 +15,6 @@ set(ORBEARING_RESULTS_SOURCES
   results/result_row.cpp
   results/spectrum_life.cpp
   results/sweep_run.cpp
-  results/terminal_chart.cpp
+  results/sweep_table.cpp
   results/verdicts.cpp
   results/worst_bearing.cpp)

@@ -13,7 +13,7 @@
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
-#include "app/results/terminal_chart.hpp"
+#include "app/results/sweep_table.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/resonance_lines.hpp"

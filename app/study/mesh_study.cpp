@@ -211,41 +211,4 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved) {
   return planetary_meshes_of(resolved, drivetrain, gearset::working_geometry(drivetrain.set));
 }
 
-namespace {
-
-// Stiffness over the mesh period, from zero on.
-std::string mesh_chart(const gearset::MeshStiffness& mesh, const std::string& title, Glyphs glyphs) {
-  constexpr int columns = 60, lines = 8, label_width = 9;
-  const bool plain = glyphs == Glyphs::ascii;
-  Canvas canvas(columns, lines, glyphs);
-  const double largest = mesh.curve.largest();
-  for (int x = 0; x < canvas.width(); ++x) {
-    const double value = mesh.curve.value((x + 0.5) / canvas.width());
-    canvas.dot(x, static_cast<int>(std::lround(value / largest * (canvas.height() - 1))));
-  }
-  std::string text = fmt::format("{:>{}}   {}\n", "[N/um]", label_width, title);
-  const std::vector<std::string> drawn = canvas.lines();
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const std::string label =
-        i == 0 ? fmt::format("{:.4g}", 1e-6 * largest) : (i + 1 == drawn.size() ? "0" : "");
-    text += fmt::format("{:>{}} {}{}\n", label, label_width, plain ? "|" : "│", drawn[i]);
-  }
-  text += fmt::format("{:>{}} {}", "", label_width, plain ? "+" : "└");
-  for (int i = 0; i < columns; ++i) text += plain ? "-" : "─";
-  return text + fmt::format("\n{:>{}}  {:<{}}{}  [mesh period since a pair came into contact]\n", "",
-                            label_width, "0", columns - 1, "1");
-}
-
-}  // namespace
-
-std::string mesh_charts(const MeshStudy& study, Glyphs glyphs) {
-  std::string text, last;
-  for (const NamedMesh& mesh : study.meshes) {  // meshes of a kind differ in their phase only
-    if (mesh.first == last) continue;
-    last = mesh.first;
-    text += "\n" + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
-  }
-  return text;
-}
-
 }  // namespace orbearing::app

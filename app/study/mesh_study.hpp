@@ -6,7 +6,6 @@
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
-#include "app/results/terminal_chart.hpp"
 #include "coupling/analysis/meshes.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
@@ -32,10 +31,5 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved);
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved,
                                              const study::PlanetaryDrivetrain& drivetrain,
                                              const gearset::WorkingGeometry& geometry);
-
-// Charts of the meshes of a case, for terminals.
-
-/// A chart of each kind of mesh.
-std::string mesh_charts(const MeshStudy& study, Glyphs glyphs);
 
 }  // namespace orbearing::app

@@ -43,7 +43,7 @@ void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& r
     most = std::max(most, angles[n + 1] - angles[n]);
   }
   const std::string path = "gearset.planet_angle";
-  if (!gearset::stands_unevenly(set)) {
+  if (!gearset::is_unequally_spaced(set)) {
     rows.push_back({path, kDegree * most, "deg", "between neighbouring planets"});
     return;
   }

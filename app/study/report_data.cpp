@@ -22,7 +22,6 @@
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/units.hpp"
-#include "coupling/study/scheme_convergence.hpp"
 
 namespace orbearing::app {
 
@@ -114,26 +113,6 @@ PublishedComparison published_comparison(const ResolvedCase& resolved) {
 }
 
 namespace {
-
-// Errors, orders and stability limits of the schemes of exchange at the drivetrain's own speed.
-Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
-  const study::SchemeConvergence found = study::scheme_convergence(drivetrain, study::derive(drivetrain));
-  Json object{{"path_ms", per_milli * found.path},
-              {"speed_rpm", kRpm * drivetrain.drive.speed},
-              {"rows", Json::array()},
-              {"orders", Json::array()}};
-  for (const study::SchemeError& error : found.errors)
-    object["rows"].push_back({{"scheme", error.scheme},
-                              {"window_us", per_micro * error.window},
-                              {"force_error", error.force_error},
-                              {"energy_residual", error.energy_residual}});
-  for (const study::SchemeOrder& order : found.orders)
-    object["orders"].push_back({{"scheme", order.scheme},
-                                {"expected", order.expected},
-                                {"measured", order.measured},
-                                {"stability_limit_us", per_micro * order.stability_limit}});
-  return object;
-}
 
 // The bearing to scale.
 Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
@@ -281,8 +260,6 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   if (const ResolvedCase point = slice.at.without_sweep(); carrier_is_body(point, ""))
     data["carrier"] = json_of(record_of(carrier_study(point)));
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
-  if (fidelity_of(outcome.header.fidelity) == study::Fidelity::co_simulated)
-    data["coupled"]["convergence"] = convergence(drivetrain);
   data["shown"] = {{"set", set},
                    {"settings", slice.settings},
                    {"speeds_rpm", grid.speed_rpm},

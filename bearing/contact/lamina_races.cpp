@@ -73,23 +73,26 @@ double LaminaRaces::balanced_end_displacement(double inner_approach, double oute
   return end_displacement;
 }
 
-LaminaRaceLoads LaminaRaces::loads(const LaminaStand& stand, const Vector2& outward) const {
-  const laminae::LaminaForce in = inner_.evaluate(stand.inner_approach, -stand.end_displacement);
-  const laminae::LaminaForce out =
-      outer_.evaluate(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward));
+LaminaRaceLoads LaminaRaces::loads(const RollerApproaches& approaches, const Vector2& outward) const {
+  const laminae::LaminaForce in = inner_.evaluate(approaches.inner_approach, -approaches.end_displacement);
+  const laminae::LaminaForce out = outer_.evaluate(
+      approaches.outer_approach, approaches.end_displacement - bore_end_displacement_.dot(outward));
   return {in.load, out.load, in.end_load - out.end_load, out.end_load};
 }
 
-void LaminaRaces::put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const {
+void LaminaRaces::put_loads(Race race, const RollerApproaches& approaches, const Vector2& outward,
+                            double* load) const {
   if (race == Race::inner)
-    inner_.put_loads(stand.inner_approach, -stand.end_displacement, load);
+    inner_.put_loads(approaches.inner_approach, -approaches.end_displacement, load);
   else
-    outer_.put_loads(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward), load);
+    outer_.put_loads(approaches.outer_approach,
+                     approaches.end_displacement - bore_end_displacement_.dot(outward), load);
 }
 
-double LaminaRaces::energy(const LaminaStand& stand, const Vector2& outward) const {
-  return inner_.energy(stand.inner_approach, -stand.end_displacement) +
-         outer_.energy(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward));
+double LaminaRaces::energy(const RollerApproaches& approaches, const Vector2& outward) const {
+  return inner_.energy(approaches.inner_approach, -approaches.end_displacement) +
+         outer_.energy(approaches.outer_approach,
+                       approaches.end_displacement - bore_end_displacement_.dot(outward));
 }
 
 }  // namespace orbearing::bearing::motion

@@ -15,7 +15,7 @@
 namespace orbearing::bearing::motion {
 
 /// Approaches of both contacts of a roller, which determine the loads of their laminae.
-struct LaminaStand {
+struct RollerApproaches {
   double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
   double outer_approach = 0.0;  // [m]
   double end_displacement =
@@ -36,9 +36,9 @@ class LaminaRaces {
   LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt);
 
   /// Loads of a roller in direction `outward`.
-  LaminaRaceLoads loads(const LaminaStand& stand, const Vector2& outward) const;
+  LaminaRaceLoads loads(const RollerApproaches& approaches, const Vector2& outward) const;
   /// Elastic energy [J]; its slopes by the approaches are the loads, that by the end displacement is -excess.
-  double energy(const LaminaStand& stand, const Vector2& outward) const;
+  double energy(const RollerApproaches& approaches, const Vector2& outward) const;
   /// The end displacement [m] of equilibrium of both contacts at the elastic approaches [m] in the middle of
   /// a roller; with one contact only, that of the race it touches.
   double balanced_end_displacement(double inner_approach, double outer_approach,
@@ -49,7 +49,7 @@ class LaminaRaces {
   const laminae::LaminaContact& inner() const { return inner_; }
   const laminae::LaminaContact& outer() const { return outer_; }
   /// Loads [N] of the laminae of one contact, into an array of that many, of a roller in direction `outward`.
-  void put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const;
+  void put_loads(Race race, const RollerApproaches& approaches, const Vector2& outward, double* load) const;
   /// Whether all laminae of a contact carry alike, whatever the loads: nothing tilts and nothing falls away.
   bool even() const { return even_; }
 
@@ -61,8 +61,8 @@ class LaminaRaces {
  private:
   laminae::LaminaContact inner_;
   laminae::LaminaContact outer_;
-  Vector2 bore_end_displacement_;   // [m]
-  double resistance_;  // [N s/m]
+  Vector2 bore_end_displacement_;  // [m]
+  double resistance_;              // [N s/m]
   bool upright_;
   bool even_;
 };

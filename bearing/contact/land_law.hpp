@@ -83,9 +83,7 @@ struct LandLaw {
   double clearance = 0.0;             // [m]  radial
   double cage_radius = 0.0;           // [m]  of the cage's guided surface
   double largest_eccentricity = 0.0;  // [-]  of the clearance: the film is held at this, touch-down begins
-  bool literature_variant = false;    // film force of the source, without squeeze and whirl
   double film_scale = 0.0;            // [N s/m]  lands eta L^3 R / c^3
-  double published_scale = 0.0;       // [N s/m]  lands eta L^3 / c^2
   double shear_scale = 0.0;           // [N m s]  2 pi eta R^3 lands L / c
   double stiffness = 0.0;             // [N/m]    of touch-down
   double damping = 0.0;               // [s/m]
@@ -154,9 +152,7 @@ struct LandLaw {
     const T across = result.squeeze_y * e_x - result.squeeze_x * e_y;
     T force_along{}, force_across{};
     const T speed_square = along * along + across * across;
-    if (literature_variant) {
-      published_film(motion.cage_speed + land_speed, held, force_along, force_across);
-    } else if (value_of(speed_square) > 0.0) {
+    if (value_of(speed_square) > 0.0) {
       const T per_speed = inverse_root(speed_square);
       const FilmResistance<T> film = half_film_resistance(held, T(along * per_speed), T(across * per_speed));
       force_along = -film_scale * (film.along * along + film.mixed * across);
@@ -165,19 +161,6 @@ struct LandLaw {
     result.film_x = force_along * e_x - force_across * e_y;
     result.film_y = force_along * e_y + force_across * e_x;
     result.shear = shear_scale * (land_speed - motion.cage_speed) * inverse_root(1.0 - held * held);
-  }
-
-  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds only. Its power may have either sign,
-  // and it depends on the frame in which the rotations are counted: here the carrier's.
-  template <class T>
-  void published_film(const T& rotation_sum, const T& held, T& force_along, T& force_across) const {
-    using mechanics::root, mechanics::value_of;
-    constexpr double kPi = 3.141592653589793238462643383280;
-    const T surface = cage_radius * rotation_sum;
-    const T square = 1.0 - held * held;
-    const T size = value_of(surface) < 0.0 ? T(-surface) : surface;
-    force_along = -published_scale * size * held * held / (square * square);
-    force_across = published_scale * surface * (0.25 * kPi) * held / (square * root(square));
   }
 
   template <class T>

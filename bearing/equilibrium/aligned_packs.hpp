@@ -137,7 +137,7 @@ struct ContactPair {
 };
 
 /// Load of one contact [N] and its slope over 10/9 [N^0.1].
-struct CutContact {
+struct LoadAndSlope {
   Pack load{}, root{};
 };
 
@@ -152,7 +152,7 @@ class AlignedContacts {
   }
 
   ContactPair loads(const Pack& x, const Pack& y) const {
-    const CutContact p = contact(x), q = contact(y);
+    const LoadAndSlope p = contact(x), q = contact(y);
     return {p.load, q.load, p.root, q.root};
   }
 
@@ -176,8 +176,8 @@ class AlignedContacts {
  private:
   static constexpr int kMostSteps = 60;
 
-  CutContact contact(const Pack& approach) const {
-    CutContact sum;
+  LoadAndSlope contact(const Pack& approach) const {
+    LoadAndSlope sum;
     for (int k = 0; k < c_.laminae; ++k) {
       const Pack depth = larger(approach - c_.drop[k], Pack{});
       if (!any(depth > 0.0)) break;
@@ -199,7 +199,7 @@ class AlignedContacts {
     approach = only(sought, approach);
     Mask moving = sought;
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
-      const CutContact now = contact(approach);
+      const LoadAndSlope now = contact(approach);
       const Pack step = kLineApproachExponent * (now.load - load) / larger(now.root, spread(1e-200));
       moving = moving & (step > 1e-14 * approach);
       approach -= only(moving, step);

@@ -28,10 +28,10 @@ InclinedContacts contacts_of(const Bearing& bearing, double taper) {
   return {roller_race_contact(bearing.contact_law, bearing.rollers().length), taper};
 }
 
-std::optional<CutContacts> cut_of(const Bearing& bearing, const PlanetRows& rows) {
+std::optional<LaminatedContacts> cut_of(const Bearing& bearing, const PlanetRows& rows) {
   if (!rows.is_tapered() || bearing.rollers().laminae == 0) return std::nullopt;
   const laminae::LaminaBearing cut(bearing);
-  return CutContacts{cut.contact(Race::inner), cut.contact(Race::outer)};
+  return LaminatedContacts{cut.contact(Race::inner), cut.contact(Race::outer)};
 }
 
 laminae::TiltedRoller roller_of(const InclinedRow& row) {
@@ -206,7 +206,7 @@ void InclinedPlanet::settle(const InclinedRow& row, double angle, const Position
   const double approach = without_round_off(row.approach - moves(row, angle).dot(position),
                                             std::abs(row.approach) + position.norm()),
                inertial_load = along_inner_normal(row, angle);
-  if (!row.cut) return laminae::put_whole(row.contacts.balance(inertial_load, approach), state);
+  if (!row.cut) return laminae::set_whole_contacts(row.contacts.balance(inertial_load, approach), state);
   laminae::converge_roller(roller_of(row),
                            {.approach = approach,
                             .outer_end_displacement = tilts(row, angle).dot(position),

@@ -53,14 +53,14 @@ class InclinedContacts {
 };
 
 /// Both contacts of a tapered roller cut into laminae, counted along the axis.
-struct CutContacts {
+struct LaminatedContacts {
   laminae::LaminaContact inner, outer;
 };
 
 /// One row.
 struct InclinedRow {
-  InclinedContacts contacts;         // whole
-  std::optional<CutContacts> cut{};  // what counts instead, where it is given
+  InclinedContacts contacts;               // whole
+  std::optional<LaminatedContacts> cut{};  // what counts instead, where it is given
   int count = 0;
   double contact_angle = 0.0;    // [rad]  of the outer race
   double taper = 0.0;            // [rad]  between the normals of both races

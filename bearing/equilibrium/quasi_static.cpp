@@ -96,15 +96,9 @@ RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeomet
   const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
   const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 
-  const bool subtracted = options.film && options.film_approach == FilmApproach::literature_variant;
-  const double film_clearance = subtracted
-                                    ? published_film(bearing, geometry, *options.film, point.inner_speed,
-                                                     point.outer_speed, point.bore_load.norm())
-                                          .clearance()
-                                    : 0.0;
-  RaceEquilibrium problem{rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed,
-                                           subtracted ? std::nullopt : options.film)};
-  problem.clearance = bearing.radial_clearance + film_clearance;
+  RaceEquilibrium problem{
+      rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed, options.film)};
+  problem.clearance = bearing.radial_clearance;
   problem.load = total_bore_load(bearing, geometry, point, options.inertia);
   problem.outer_race = point.outer_race;
   problem.angle = roller_angles(bearing.rollers().count, first_roller);

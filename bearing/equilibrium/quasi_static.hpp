@@ -21,7 +21,6 @@ struct QuasiStaticOptions {
   std::optional<Lubricant> film;  // lubricant whose film enters the approach; none: dry
   int cage_positions = 16;        // cage angles over one roller pitch that are averaged
   double first_roller = 0.0;      // [rad]  position of the first roller at the first cage angle
-  FilmApproach film_approach = FilmApproach::added;
 };
 
 /// Equilibria over one roller pitch of cage angles, gathered by position on the races. Arrays are over

@@ -41,7 +41,7 @@ void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, doubl
     return converge_roller(
         {races.cut->contact(Race::inner), races.cut->contact(Race::outer), inner.film(), outer.film()},
         {approach, 0.0, end_displacement, races.inertial_load[j]}, roller);
-  laminae::put_whole(balance_roller(inner, outer, races.inertial_load[j], approach), roller);
+  laminae::set_whole_contacts(balance_roller(inner, outer, races.inertial_load[j], approach), roller);
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {

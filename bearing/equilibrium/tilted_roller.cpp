@@ -187,7 +187,7 @@ Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
   return series;
 }
 
-void put_whole(const RollerBalance& whole, RollerState& state) {
+void set_whole_contacts(const RollerBalance& whole, RollerState& state) {
   state.inner.load = whole.inner_load;
   state.outer.load = whole.outer_load;
   state.stiffness = whole.stiffness;

@@ -65,7 +65,7 @@ inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
 }
 
 /// Loads and stiffness of a roller on whole contacts, all that these have of a state.
-void put_whole(const RollerBalance& whole, RollerState& state);
+void set_whole_contacts(const RollerBalance& whole, RollerState& state);
 
 /// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i; of a tapered roller Q_o times
 /// the cosine of its taper. Slopes follow from the

@@ -23,16 +23,13 @@ std::optional<GuidingLands> guiding_lands(const Bearing& bearing, const CagePara
           "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
   require(width > 0.0, "width of the cage's land [m]", width,
           std::string("more than 0; give it, or a cage wider than the ") + (rollers ? "rollers" : "balls"));
-  const double published = lands * viscosity * std::pow(width, 3) / (clearance * clearance);
   return GuidingLands{
       .width = width,
       .law = {.side = side,
               .clearance = clearance,
               .cage_radius = radius,
               .largest_eccentricity = given.largest_eccentricity,
-              .literature_variant = given.guidance_film == GuidanceFilm::literature_variant,
-              .film_scale = published * radius / clearance,
-              .published_scale = published,
+              .film_scale = lands * viscosity * std::pow(width, 3) / (clearance * clearance) * radius / clearance,
               .shear_scale = two_pi * viscosity * std::pow(radius, 3) * lands * width / clearance,
               .stiffness = given.touch_down_stiffness,
               .damping = given.touch_down_damping,

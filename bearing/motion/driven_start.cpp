@@ -178,7 +178,7 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   const double cage_speed = kinematic_cage_speed(model.geometry, 0.0, motion.speed);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.layout.size());
   const QuasiStaticOptions options = start_options(parameters);
-  place_bodies(model, rolling_contacts(bearing, model.geometry, 0.0, motion.speed, added_film(options)),
+  place_bodies(model, rolling_contacts(bearing, model.geometry, 0.0, motion.speed, options.film),
                balance.rollers, {balance.pin, motion.position, cage_speed, spin}, first_roller, x);
   x.segment<2>(model.layout.bore()) = motion.position;
   x.segment<2>(model.layout.bore() + 2) = motion.velocity;

@@ -54,10 +54,10 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
 // Each roller at the tilt of its equilibrium.
 void tilt_rollers(const BearingModel& model, Eigen::Ref<Eigen::VectorXd> x) {
   if (!model.layout.tilting) return;
-  const auto seen = vectorised::seen_rollers(model, vectorised::surroundings_at(model, 0.0), x);
+  const auto seen = vectorised::observed_rollers(model, vectorised::surroundings_at(model, 0.0), x);
   MutableStateViews state = mutable_state_views(model.layout, x.data());
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const vectorised::SeenRoller& roller = seen[static_cast<std::size_t>(j)];
+    const vectorised::ObservedRoller& roller = seen[static_cast<std::size_t>(j)];
     state.end_displacement[j] = model.laminae->balanced_end_displacement(
         roller.inner.elastic_approach, roller.outer.elastic_approach, direction(state.angle[j]));
   }
@@ -65,15 +65,10 @@ void tilt_rollers(const BearingModel& model, Eigen::Ref<Eigen::VectorXd> x) {
 
 }  // namespace
 
-std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
-  return options.film_approach == FilmApproach::added ? options.film : std::nullopt;
-}
-
 QuasiStaticOptions start_options(const DynamicsParameters& parameters) {
   QuasiStaticOptions options;
   options.inertia = parameters.inertia;
   if (parameters.race.film_in_approach) options.film = parameters.lubricant;
-  options.film_approach = parameters.race.film_approach;
   return options;
 }
 
@@ -108,10 +103,9 @@ InitialState initial_state(const Bearing& bearing, const BearingModel& model,
   InitialState start{Eigen::VectorXd::Zero(model.layout.size()), balance.report};
   const Vector2 pin = balance.report.converged ? pin_displacement(model, balance) : Vector2::Zero();
   const Vector2 bore = balance.report.converged ? Vector2(pin + balance.displacement) : Vector2::Zero();
-  place_bodies(
-      model,
-      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options)),
-      balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
+  place_bodies(model,
+               rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, options.film),
+               balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
   return start;
 }
 

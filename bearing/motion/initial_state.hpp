@@ -15,7 +15,7 @@ struct InitialState {
 
 /// For steady speeds, or for the speeds of a run-up at t = 0 (its Euler terms are left to the motion).
 /// Rollers are at their quasi-static positions, with the approach that their loads require. Rollers and cage
-/// turn at pure rolling, or the cage at the requested reference speed; the cage is centred in its land; the
+/// turn at pure rolling; the cage is centred in its land; the
 /// pin is displaced by the deflection of its support. If the quasi-static solver fails, `report` states it
 /// and the rings are centred.
 InitialState initial_state(const Bearing& bearing, const BearingModel& model,
@@ -23,8 +23,6 @@ InitialState initial_state(const Bearing& bearing, const BearingModel& model,
 
 /// Film and inertia of a quasi-static start.
 QuasiStaticOptions start_options(const DynamicsParameters& parameters);
-/// The film that is part of the contacts; as printed it is part of the races' radii.
-std::optional<Lubricant> added_film(const QuasiStaticOptions& options);
 
 /// Positions of the rings at the start, and speeds of cage and rollers.
 struct StartMotion {

@@ -40,10 +40,10 @@ struct StateViews {
   View<Eigen::Vector2d> bore_velocity;  // [m/s]
   View<Eigen::Vector2d> pin_position;   // [m]
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
-  View<Eigen::ArrayXd> turned;       // [rad]    (followed)  by the rollers that are followed, since the start
-  View<Eigen::ArrayXd> end_displacement;  // [m]      (rollers) or none; LaminaStand::end_displacement
-  View<Eigen::VectorXd> wave;        // [m]      (waves)
-  View<Eigen::VectorXd> wave_speed;  // [m/s]    (waves)
+  View<Eigen::ArrayXd> turned;  // [rad]    (followed)  by the rollers that are followed, since the start
+  View<Eigen::ArrayXd> end_displacement;  // [m]      (rollers) or none; RollerApproaches::end_displacement
+  View<Eigen::VectorXd> wave;             // [m]      (waves)
+  View<Eigen::VectorXd> wave_speed;       // [m/s]    (waves)
 };
 
 namespace detail {

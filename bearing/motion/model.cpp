@@ -11,31 +11,6 @@
 
 namespace orbearing::bearing::motion {
 
-namespace {
-
-constexpr double kPublishedSpeed =
-    1.0;  // [m/s]  that turns the damping of Eq. (9) of [Gai2025] into a stiffness
-
-LineContact elastic_contact(const Bearing& bearing, const RaceContactParameters& given) {
-  const LineContact elastic = roller_race_contact(bearing.contact_law, bearing.rollers().length);
-  if (given.damping_law == DampingLaw::approach_speed) return elastic;
-  return LineContact(elastic.constant() * (1.0 + given.damping * kPublishedSpeed));
-}
-
-// The subtracted film moves the race away from the rollers.
-double radius_of_race(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
-                      Race race, const DynamicsParameters& parameters) {
-  const bool inner = race == Race::inner;
-  const double radius = inner ? geometry.inner_radius : geometry.outer_radius;
-  const RaceContactParameters& given = parameters.race;
-  if (!given.film_in_approach || given.film_approach == FilmApproach::added) return radius;
-  const PublishedFilm film = published_film(bearing, geometry, parameters.lubricant, point.inner_speed,
-                                            point.outer_speed, point.bore_load.norm());
-  return inner ? radius - film.inner : radius + film.outer;
-}
-
-}  // namespace
-
 RaceContactParameters with_limited_scales(const BearingGeometry& geometry, const OperatingPoint& point,
                                           RaceContactParameters given) {
   constexpr double nothing_rolls = 1e-6;  // [m/s]
@@ -54,13 +29,12 @@ RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, co
   const FilmContact film = film_contact(bearing, geometry, race, parameters.lubricant);
   RaceModel model;
   model.side = race == Race::inner ? -1.0 : 1.0;
-  model.radius = radius_of_race(bearing, geometry, point, race, parameters);
-  model.stiffness = elastic_contact(bearing, given).constant();
+  model.radius = race == Race::inner ? geometry.inner_radius : geometry.outer_radius;
+  model.stiffness = roller_race_contact(bearing.contact_law, bearing.rollers().length).constant();
   model.log_stiffness = std::log(model.stiffness);
-  model.damping = given.damping_law == DampingLaw::approach_speed ? given.damping : 0.0;
+  model.damping = given.damping;
   model.entrainment_scale = given.entrainment_scale;
-  model.film = given.film_in_approach && given.film_approach == FilmApproach::added &&
-               parameters.lubricant.viscosity > 0.0;
+  model.film = given.film_in_approach && parameters.lubricant.viscosity > 0.0;
   model.film_law = FilmLaw<double>::of(film);
   model.squeezed = given.squeeze;
   if (given.squeeze) model.squeeze = SqueezeFilm<double>::of(film, given.roughness);
@@ -230,7 +204,7 @@ PocketLaw pocket_law(double length, const DynamicsParameters& parameters) {
 vectorised::NeighbourConstants neighbours(const Bearing& bearing, const DynamicsParameters& parameters) {
   const RaceContactParameters& race = parameters.race;
   return {.stiffness = roller_race_contact(bearing.contact_law, bearing.rollers().length).constant(),
-          .damping = race.damping_law == DampingLaw::approach_speed ? race.damping : 0.0,
+          .damping = race.damping,
           .friction = {parameters.neighbours.friction, race.sliding_scale}};
 }
 
@@ -284,14 +258,6 @@ std::optional<LaminaRaces> lamina_races(const Bearing& bearing, const BearingMod
   if (rollers.laminae == 0) return std::nullopt;
   return LaminaRaces(lamina_contact(rollers, model.inner, bearing.inner.profile),
                      lamina_contact(rollers, model.outer, bearing.outer.profile), model.point.bore_tilt);
-}
-
-// Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
-double reference_cage_speed(const BearingGeometry& geometry, const OperatingPoint& point,
-                            ReferenceSpeed which) {
-  if (which == ReferenceSpeed::literature_variant)
-    return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
-  return kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 }
 
 // The carrier's acceleration follows from the ramp of its speed; the planet's Euler load is added to what
@@ -393,8 +359,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .excitation = parameters.excitation,
       .driving = parameters.driving,
       .bore_loads = {},
-      .kinematic_cage_speed = reference_cage_speed(
-          geometry, point, bearing.has_cage() ? parameters.cage.reference_speed : ReferenceSpeed::rolling)};
+      .kinematic_cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed)};
   set_drag(bearing, parameters.drag, model);
   model.laminae = lamina_races(bearing, model);
   model.layout.tilting = model.laminae && !model.laminae->upright();

@@ -136,12 +136,12 @@ void ModelConstants::flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> f
   std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + layout_.groups() * z);
 }
 
-std::vector<SeenRoller> seen_rollers(const motion::BearingModel& model, const Surroundings& now,
-                                     const Eigen::Ref<const Eigen::VectorXd>& x) {
+std::vector<ObservedRoller> observed_rollers(const motion::BearingModel& model, const Surroundings& now,
+                                             const Eigen::Ref<const Eigen::VectorXd>& x) {
   const ModelConstants given(model);
   Constants constants = given.constants();
   put_surroundings(now, constants);
-  std::vector<SeenRoller> seen(static_cast<std::size_t>(constants.rollers));
+  std::vector<ObservedRoller> seen(static_cast<std::size_t>(constants.rollers));
   observe(constants, given.rollers(), given.padded(x).data(), seen.data());
   return seen;
 }

@@ -48,7 +48,7 @@ class ModelConstants {
 
 /// Observed values of the rollers of `model` in the state `x`, in the order of motion/layout.hpp, under
 /// `now`.
-std::vector<SeenRoller> seen_rollers(const motion::BearingModel& model, const Surroundings& now,
-                                     const Eigen::Ref<const Eigen::VectorXd>& x);
+std::vector<ObservedRoller> observed_rollers(const motion::BearingModel& model, const Surroundings& now,
+                                             const Eigen::Ref<const Eigen::VectorXd>& x);
 
 }  // namespace orbearing::bearing::vectorised

@@ -102,20 +102,9 @@ constexpr described::Names<PressureLaw, 2> names_of(PressureLaw) {
   return {{{PressureLaw::barus, "barus"}, {PressureLaw::roelands, "roelands"}}};
 }
 
-/// Velocity on which the damping of a race contact acts.
-enum class DampingLaw {
-  approach_speed,      // [HuntCrossley1975]
-  literature_variant,  // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness;
-                       // c is read as damping * 1 m/s of the contact's constant
-};
-
-constexpr described::Names<DampingLaw, 2> names_of(DampingLaw) {
-  return {{{DampingLaw::approach_speed, "approach-speed"}, {DampingLaw::literature_variant, "as-printed"}}};
-}
-
 /// Race contacts: damping, friction, and whether the film adds to the elastic approach.
 struct RaceContactParameters {
-  double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed
+  double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed [HuntCrossley1975]
   TractionLaw traction = TractionLaw::regularised_coulomb;
   double friction = 0.05;           // [-]    largest friction
   double sliding_scale = 0.1;       // [m/s]  s_0
@@ -136,9 +125,7 @@ struct RaceContactParameters {
   double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
   Starvation starvation = Starvation::none;
   double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
-  FilmApproach film_approach = FilmApproach::added;
   bool squeeze = false;  // squeeze film: oil resists the approach
-  DampingLaw damping_law = DampingLaw::approach_speed;
   Lubrication lubrication = Lubrication::full;
   double roughness = 0.2e-6;        // [m]  composite rms of roller and race
   double boundary_friction = 0.12;  // [-]  of asperities in contact
@@ -238,19 +225,11 @@ void describe(Visitor& visit, RaceContactParameters& m) {
       field(m.film_in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
             {.models = planetary_drivetrain | ball_bearing,
              .reason = "dry contacts first; the effect of the film is shown separately"}),
-      field(m.film_approach, "film.approach", Physics::carrier,
-            "the film is added to the elastic approach, or subtracted as published in [Gai2025]",
-            {.models = planetary_drivetrain,
-             .reason = "a film takes room between roller and race",
-             .where = {"film.enabled", "true"}}),
       field(m.squeeze, "contact.squeeze", Physics::motion,
             "squeeze film between rolling element and race resists their approach",
             {.models = in_time,
              .reason =
                  "the models of [Gai2025] and [Chen2026], which have none; its effect is shown separately"}),
-      field(m.damping_law, "contact.damping_law", Physics::motion,
-            "damping by the approach speed, or by the approach as published in [Gai2025]",
-            {.models = planetary_drivetrain, .reason = "without a speed nothing is damped"}),
       field(m.lubrication, "contact.lubrication", Physics::motion,
             "friction in the race contacts: one model, or shared by film and asperities",
             {.models = planetary_drivetrain, .reason = "smooth surfaces, fully parted"}),
@@ -271,16 +250,6 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .fmu = InFmu::parameter}));
 }
 
-/// Force of the oil between cage and land.
-enum class GuidanceFilm {
-  short_bearing,       // with squeeze and whirl, [Ocvirk1952]
-  literature_variant,  // Eqs. (24) and (25) of [Gai2025], which lack both
-};
-
-constexpr described::Names<GuidanceFilm, 2> names_of(GuidanceFilm) {
-  return {{{GuidanceFilm::short_bearing, "short-bearing"}, {GuidanceFilm::literature_variant, "as-printed"}}};
-}
-
 /// Oil between rolling element and cage pocket before they touch.
 enum class PocketFilm {
   none,          // the pocket acts when it is touched
@@ -289,16 +258,6 @@ enum class PocketFilm {
 
 constexpr described::Names<PocketFilm, 2> names_of(PocketFilm) {
   return {{{PocketFilm::none, "none"}, {PocketFilm::hydrodynamic, "hydrodynamic"}}};
-}
-
-/// Cage speed at which a run starts and from which its slip is counted.
-enum class ReferenceSpeed {
-  rolling,             // pure rolling on both races
-  literature_variant,  // Eq. (8) of [Gai2025]: that of a turning inner race, with the speed of the outer
-};
-
-constexpr described::Names<ReferenceSpeed, 2> names_of(ReferenceSpeed) {
-  return {{{ReferenceSpeed::rolling, "rolling"}, {ReferenceSpeed::literature_variant, "as-printed"}}};
 }
 
 /// Cage pockets and the land that guides the cage. Where a case leaves out the clearance, the stiffness of
@@ -312,11 +271,9 @@ struct CageParameters {
   double pocket_friction = 0.05;  // [-]
   PocketFilm pocket_film = PocketFilm::none;
   double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film
-  ReferenceSpeed reference_speed = ReferenceSpeed::rolling;
   double guide_diameter = 0.0;  // [m]    of the land; 0: no guidance
   double land_width = 0.0;      // [m]    of one land; 0: what cage width and roller length leave at each side
   int lands = 2;                // [-]
-  GuidanceFilm guidance_film = GuidanceFilm::short_bearing;
   double largest_eccentricity = 0.98;  // [-]    of the land's clearance where roughness takes over
   double touch_down_stiffness = 1e7;   // [N/m]  Assumption
   double touch_down_damping = 1.0;     // [s/m]  Assumption
@@ -360,10 +317,6 @@ void describe(Visitor& visit, CageParameters& m) {
              .range = positive(100.0),
              .reason = "a moulded or milled bar",
              .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
-      field(
-          m.reference_speed, "bearing.cage.reference_speed", Physics::motion,
-          "initial speed of the cage and reference of its slip: pure rolling, or as published in [Gai2025]",
-          {.models = planetary_drivetrain, .reason = "the published speed is that of a rotating inner race"}),
       field(m.guide_diameter, "bearing.cage.guide_land_diameter", Physics::motion,
             "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
             {.models = with_rollers | balls_in_time,
@@ -371,11 +324,6 @@ void describe(Visitor& visit, CageParameters& m) {
              .range = {0.0, 1e4},
              .fmu = InFmu::parameter}),
       internal(m.land_width, "bearing.cage.land_width"), internal(m.lands, "bearing.cage.lands"),
-      field(m.guidance_film, "bearing.cage.guidance_film", Physics::motion,
-            "oil force between cage and land: with squeeze and whirl, or as published in [Gai2025]",
-            {.models = planetary_drivetrain,
-             .reason = "the published force depends on the frame and lacks squeeze",
-             .where = land}),
       field(m.largest_eccentricity, "bearing.cage.largest_eccentricity", Physics::motion,
             "share of the land's clearance where roughness carries",
             {.models = in_time,

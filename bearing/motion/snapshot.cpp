@@ -12,9 +12,9 @@ namespace {
 
 using constants::two_pi;
 
-using vectorised::SeenRoller;
+using vectorised::ObservedRoller;
 using vectorised::Surroundings;
-using Contact = vectorised::SeenContact<double>;
+using Contact = vectorised::ObservedContact<double>;
 
 constexpr double kDifferenceTime =
     1e-9;  // [s]  far below the shortest period, far above round-off in the speeds
@@ -55,7 +55,7 @@ class Instant {
         frame(now.frame),
         bore{state.bore_position, state.bore_velocity, now.bore.speed, now.bore.turned},
         pin{state.pin_position, state.pin_velocity, now.pin.speed, now.pin.turned},
-        seen(vectorised::seen_rollers(model, now, x)) {
+        seen(vectorised::observed_rollers(model, now, x)) {
     if (!model.layout.caged) return;
     cage = {state.cage_position, state.cage_velocity, state.cage_speed};
     cage_direction_ = direction(state.cage_angle);
@@ -72,7 +72,7 @@ class Instant {
             state.radial_speed[j] * out + state.radius[j] * state.orbital_speed[j] * across(out),
             state.spin[j]};
   }
-  const SeenRoller& seen_at(Eigen::Index j) const { return seen[static_cast<std::size_t>(j)]; }
+  const ObservedRoller& seen_at(Eigen::Index j) const { return seen[static_cast<std::size_t>(j)]; }
 
   PocketTouch pocket(Eigen::Index j) const {
     if (!model_.layout.caged) return {};
@@ -81,7 +81,7 @@ class Instant {
     return pocket_touch(model_.pocket, model_.geometry.element_radius, model_.radius_deviation[i], roller(j),
                         cage, own.x() * cage_direction_ + own.y() * across(cage_direction_));
   }
-  LaminaStand stand(Eigen::Index j) const {
+  RollerApproaches stand(Eigen::Index j) const {
     return {seen_at(j).inner.elastic_approach, seen_at(j).outer.elastic_approach,
             model_.layout.tilting ? state.end_displacement[j] : 0.0};
   }
@@ -111,7 +111,7 @@ class Instant {
   BodyMotion bore, pin;
   BodyMotion cage{Vector2::Zero(), Vector2::Zero()};  // at rest where there is none
   LandForce<double> guidance{};
-  std::vector<SeenRoller> seen;
+  std::vector<ObservedRoller> seen;
 };
 
 // Power lost by the tilting of a roller, and power that holds the bore's tilt while the roller passes through
@@ -164,7 +164,7 @@ void record(const Contact& contact, const FilmContact& film, const FilmHeating& 
                        heating.share(film, contact.load, contact.entrainment, contact.sliding);
 }
 
-void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
+void put_stand(const RollerApproaches& stand, Eigen::Index j, Snapshot& into) {
   into.inner_approach[j] = stand.inner_approach;
   into.outer_approach[j] = stand.outer_approach;
   into.end_displacement[j] = stand.end_displacement;
@@ -201,7 +201,7 @@ double contact_energy(const BearingModel& model, const Instant& now, Eigen::Inde
   const double straight =
       stored(model.inner, now.seen_at(j).inner) + stored(model.outer, now.seen_at(j).outer);
   if (!model.laminae) return straight;
-  const LaminaStand stand = now.stand(j);
+  const RollerApproaches stand = now.stand(j);
   return straight - elastic_energy(model.inner, stand.inner_approach) -
          elastic_energy(model.outer, stand.outer_approach) + model.laminae->energy(stand, now.outward(j));
 }
@@ -274,19 +274,19 @@ using ThreeTimes = std::array<Surroundings, 3>;
 double changing_film_power(const BearingModel& model, const ThreeTimes& times,
                            const Eigen::Ref<const Eigen::VectorXd>& x,
                            const Eigen::Ref<const Eigen::VectorXd>& dx) {
-  const auto before = vectorised::seen_rollers(model, times[0], x - kDifferenceTime * dx),
-             now = vectorised::seen_rollers(model, times[1], x),
-             after = vectorised::seen_rollers(model, times[2], x + kDifferenceTime * dx);
+  const auto before = vectorised::observed_rollers(model, times[0], x - kDifferenceTime * dx),
+             now = vectorised::observed_rollers(model, times[1], x),
+             after = vectorised::observed_rollers(model, times[2], x + kDifferenceTime * dx);
   double power = 0.0;
   for (std::size_t j = 0; j < now.size(); ++j) {
-    const auto add = [&](const RaceModel& race, Contact SeenRoller::*contact) {
+    const auto add = [&](const RaceModel& race, Contact ObservedRoller::*contact) {
       const Contact& here = now[j].*contact;
       const double change = (after[j].*contact).entrainment - (before[j].*contact).entrainment;
       power +=
           race_energy_slope(race, here.elastic_approach, here.entrainment) * change / (2.0 * kDifferenceTime);
     };
-    add(model.inner, &SeenRoller::inner);
-    add(model.outer, &SeenRoller::outer);
+    add(model.inner, &ObservedRoller::inner);
+    add(model.outer, &ObservedRoller::outer);
   }
   return power;
 }

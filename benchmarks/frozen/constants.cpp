@@ -33,8 +33,7 @@ void check(const bearing::motion::BearingModel& model) {
   const auto& friction = model.inner.friction;
   require_within(!friction.limiting_shear && friction.rolling_resistance && !friction.computed_rolling,
                  "limiting shear, and not rolling resistance off or computed");
-  require_within(model.land.present && model.land.on_bore && !model.land.law.literature_variant,
-                 "other guidance than a short film on the outer ring");
+  require_within(model.land.present && model.land.on_bore, "other guidance than on the outer ring");
   require_within(model.excitation.harmonics.empty() && model.driving.ramp == 0.0,
                  "loads that change in time");
 }

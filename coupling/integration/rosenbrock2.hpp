@@ -130,7 +130,7 @@ class Rosenbrock {
   /// Rate where the last linearisation is.
   const state_type& slope() const { return stages_.slope; }
   /// The state that accept() took away.
-  const state_type& taken_away() const { return stages_.next; }
+  const state_type& replaced_state() const { return stages_.next; }
   /// Largest share of the allowed errors 1 / `weight` in the last attempt, among `n` variables from `first`.
   double share(double h, std::size_t first, const double* weight, std::size_t n) const {
     return Formula::share(h, first, weight, n, stages_);

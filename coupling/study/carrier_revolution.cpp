@@ -43,7 +43,8 @@ void require_housing(const spatial::CarrierMounting& mounting) {
   require_length(mounting.housing, rows * rows, "housing_stiffness", true);
   if (const auto fault =
           spatial::housing_fault(spatial::matrix_of_rows(mounting.housing), mounting.positions))
-    throw std::invalid_argument("gearset.carrier.housing_stiffness: found " + fault->found + "; required: " + fault->required);
+    throw std::invalid_argument("gearset.carrier.housing_stiffness: found " + fault->found +
+                                "; required: " + fault->required);
 }
 
 std::vector<spatial::CarrierBearing> carrier_bearings(const spatial::CarrierMounting& mounting) {
@@ -496,7 +497,7 @@ CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
   const spatial::SpatialSet set = spatial_set(drivetrain, bodies, geometry.gears.base_helix_angle);
   const spatial::SpatialLoad load =
       spatial_load(operation, bodies.frame.centrifugal, *drivetrain.carrier_mounting);
-  const Angles angles = angles_of(set, !gearset::stands_unevenly(drivetrain.set), options);
+  const Angles angles = angles_of(set, !gearset::is_unequally_spaced(drivetrain.set), options);
   const Revolution turned(set, load, angles, options);
   const Index rows = turned.rows();
   CarrierRevolution revolution = turned.result();

@@ -104,7 +104,6 @@ bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& driv
   bearing::QuasiStaticOptions options{.inertia = dynamics.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (dynamics.race.film_in_approach) options.film = dynamics.lubricant;
-  options.film_approach = dynamics.race.film_approach;
   return options;
 }
 

@@ -138,7 +138,7 @@ SetParameters geometric_set(const GearDynamicsChoice& choice, const gearset::Pla
     if (!choice.sun_mesh_stiffness) out.sun_mesh.loaded = share(teeth.sun);
     if (!choice.ring_mesh_stiffness) out.ring_mesh.loaded = share(teeth.ring);
   }
-  if (stands_unevenly(set)) out.planet_angles = angles_of_planets(set);
+  if (is_unequally_spaced(set)) out.planet_angles = angles_of_planets(set);
   // A mesh that lags behind is earlier in its period.
   for (const double lag : meshes.sun_lag) out.sun_phase.push_back(-lag);
   for (const double lag : meshes.ring_lag) out.ring_phase.push_back(-lag);

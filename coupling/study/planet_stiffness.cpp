@@ -157,10 +157,8 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
   whole.rollers().laminae = 0;
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   const bearing::motion::RaceContactParameters& race = drivetrain.dynamics.race;
-  const bool damped = race.damping_law == bearing::motion::DampingLaw::approach_speed;
-  const bool filmed = options.film && options.film_approach == bearing::FilmApproach::added;
   const bearing::RollerContacts contacts = rolling_contacts(
-      whole, geometry, point.inner_speed, point.outer_speed, filmed ? options.film : std::nullopt);
+      whole, geometry, point.inner_speed, point.outer_speed, options.film);
   const double share = 1.0 / options.cage_positions;
   const double step = share * two_pi / whole.rollers().count;
   PitchResults pitch;
@@ -171,7 +169,7 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
     const auto position = static_cast<Eigen::Index>(i);
     const Matrix2d compliance = pitch.stiffness[i].inverse();
     const Matrix2d damping =
-        roller_damping(contacts, pitch, position, static_cast<double>(i) * step, damped ? race.damping : 0.0);
+        roller_damping(contacts, pitch, position, static_cast<double>(i) * step, race.damping);
     mean.displacement += share * pitch.displacement.col(position).matrix();
     mean.compliance += share * compliance;
     mean.retardation += share * compliance * damping * compliance;

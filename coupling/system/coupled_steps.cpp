@@ -292,7 +292,7 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
     return integration::kRefused;
   }
   all_.accept(x);
-  substep_all(system, all_.taken_away(), t, h, x);
+  substep_all(system, all_.replaced_state(), t, h, x);
   t += h;
   dt = control_.after_acceptance(h, cheapest_error(gears));
   return integration::kAccepted;

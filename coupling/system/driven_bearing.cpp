@@ -76,10 +76,6 @@ void check_effects(const bearing::motion::DynamicsParameters& dynamics) {
           "0, since the speeds are inputs");
   require(dynamics.excitation.harmonics.empty(), "harmonics of a mesh excitation",
           static_cast<double>(dynamics.excitation.harmonics.size()), "none, since the motion is an input");
-  const bool published = dynamics.race.film_in_approach &&
-                         dynamics.race.film_approach == bearing::FilmApproach::literature_variant;
-  require(!published, "film in the approach as printed", 1.0,
-          "a film that is added, since the published one requires the load beforehand");
 }
 
 bool finite(const InputPolynomial& polynomial) {

@@ -81,7 +81,7 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
 
 /// The model of a driven bearing. Throws std::invalid_argument, with what was found and what is required,
 /// where a number has no meaning or for options that follow from speeds or loads before they are known: a
-/// run-up, a mesh excitation, the film as printed.
+/// run-up, a mesh excitation.
 bearing::motion::BearingModel driven_model(const DrivenBearingSetup& setup);
 
 /// Throws std::runtime_error with what was found where a window has no length.

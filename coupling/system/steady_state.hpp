@@ -14,7 +14,7 @@
 namespace orbearing::system {
 
 /// Optional check among the observed windows: whether the others are to be observed too.
-struct Look {
+struct EarlyCheck {
   int windows = 0;                     // observed before the check; 0: no check
   std::function<bool()> goes_on = {};  // false: the run ends there with the means so far; its series is void
 };
@@ -36,7 +36,7 @@ struct SteadyStateOptions {
                                    //      that allows more
   integration::IntegrationOptions integration;  // of a single bearing; allowed_error is filled in
   BoreObserver on_bore = {};  // gets the observed windows of a single bearing, step by step; may be empty
-  Look look = {};
+  EarlyCheck look = {};
   double window = 0.0;  // [s]  of a window; 0: a revolution of the cage
 };
 

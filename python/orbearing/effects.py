@@ -59,13 +59,6 @@ OIL = (
     Effect("oil", "contact.lubrication", "mixed", "mixed lubrication", "full", "no mixed lubrication"),
     Effect("oil", "bearing.cage.pocket_film", "hydrodynamic", "film in the pockets", "none", "no film in the pockets"),
 )
-# Formulas that the source prints and the default replaces.
-AS_PUBLISHED = (
-    Effect("as printed", "film.approach", "as-printed", "film subtracted, as printed", "added", "", needs="film.enabled"),
-    Effect("as printed", "contact.damping_law", "as-printed", "damping as printed", "approach-speed", ""),
-    Effect("as printed", "bearing.cage.guidance_film", "as-printed", "guidance film as printed", "short-bearing", ""),
-    Effect("as printed", "bearing.cage.reference_speed", "as-printed", "cage speed as printed", "rolling", ""),
-)
 # Each beside the waves that the case has.
 ONE_WAVE_MORE = (
     ("oval bore, 5 um", "bearing.outer_race.out_of_roundness", 2, "5e-6 m"),
@@ -93,8 +86,7 @@ def in_motion(inputs: Inputs, every: bool, of_set: str = "") -> list[Change]:
     case = _Case(inputs, of_set)
     changes = [Change("all effects", "reference"), *case.switched(CHIEF)]
     if every:
-        changes += [*case.switched(OIL), *case.other_guidance(), *(case.with_wave(*wave) for wave in ONE_WAVE_MORE), case.with_larger_roller(),
-                    *case.switched(AS_PUBLISHED)]
+        changes += [*case.switched(OIL), *case.other_guidance(), *(case.with_wave(*wave) for wave in ONE_WAVE_MORE), case.with_larger_roller()]
     return case.placed(changes)
 
 

@@ -162,8 +162,7 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
         program.say(f"the same speeds without feedback of the bearings on the gears: {len(grid)} {'points' if len(grid) > 1 else 'point'} in motion")
         one_way = bearing.points(grid, fidelity="dynamic")[0]
         content["coupled"] = {"how": how(inputs, fidelity),
-                              "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in (life, "outer_load_rms_N")}},
-                              "convergence": record(content.get("coupled")).get("convergence")}
+                              "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in (life, "outer_load_rms_N")}}}
     return content
 
 

@@ -64,13 +64,6 @@ def thousands(axis) -> None:
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}".replace("-", "\u2212")))
 
 
-def plain_logarithmic(axis, labelled=(1, 2, 5)) -> None:
-    """Numbers as people write them at the `labelled` steps of each decade."""
-    axis.set_major_locator(LogLocator(subs=labelled, numticks=30))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.6g}"))
-    axis.set_minor_formatter(NullFormatter())
-
-
 def life_name(life_key: str = "life_h") -> str:
     """In a sentence: "life" of Lundberg and Palmgren, "L10mh"."""
     return "life" if life_key == "life_h" else life_key

@@ -70,7 +70,7 @@ class Passages {
         continue;
       }
       // The last step ends where the cage has turned by a pocket: secants from its beginning.
-      const std::vector<double> from = stepper.taken_away();
+      const std::vector<double> from = stepper.replaced_state();
       double part = length * (end - turned) / (sense() * x[cage_angle] - turned);
       for (int i = 0; i < 4; ++i) {
         x = from;

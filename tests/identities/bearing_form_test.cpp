@@ -103,21 +103,5 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
               4.0 * first_order * expected.loss.race_damping);
 }
 
-TEST(PublishedFilm, IsAClearance) {
-  const Lubricant oil{0.01, 1.5e-8};
-  const Bearing bearing = test::reducer_bearing();
-  const PublishedFilm film = published_film(bearing, geometry_of(bearing), oil, kPoint.inner_speed,
-                                            kPoint.outer_speed, kPoint.bore_load.norm());
-  EXPECT_GT(film.inner, 1e-7);
-  Bearing wider = bearing;
-  wider.radial_clearance += 2.0 * (film.inner + film.outer);
-  QuasiStaticOptions options;
-  const QuasiStaticResult expected = quasi_static_bearing(wider, kPoint, options);
-  options.film = oil;
-  options.film_approach = FilmApproach::literature_variant;
-  const QuasiStaticResult found = quasi_static_bearing(bearing, kPoint, options);
-  EXPECT_LT((found.outer_load - expected.outer_load).abs().maxCoeff(), kBalance * scale_of(expected));
-}
-
 }  // namespace
 }  // namespace orbearing::bearing::bearing_form_test

@@ -21,7 +21,6 @@ enum class Refinement {
   mixed_lubrication,
   pocket_film,
   run_up,
-  published,
   full_complement,
   rim,
   squeeze,
@@ -88,11 +87,6 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       case Refinement::full_complement:  // rollers that touch one another
         bearing = test::full_complement_bearing();
         bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
-        break;
-      case Refinement::published:
-        parameters.race.film_approach = FilmApproach::literature_variant;
-        parameters.race.damping_law = DampingLaw::literature_variant;
-        parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
         break;
     }
   }
@@ -322,8 +316,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"weight", false, false, TractionLaw::regularised_coulomb, Refinement::weight},
         Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
         Variant{"full_complement", true, false, TractionLaw::regularised_coulomb,
-                Refinement::full_complement},
-        Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::published}),
+                Refinement::full_complement}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace

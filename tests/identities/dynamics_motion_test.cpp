@@ -298,13 +298,15 @@ TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
 // window).
 TEST(SteadyState, EndsAtALookThatSaysSo) {
   constexpr int kAll = 4, kBefore = 2;
-  const auto run = [](int windows, const system::Look& look) {
+  const auto run = [](int windows, const system::EarlyCheck& look) {
     system::SteadyStateOptions options{.observed_windows = windows, .integration = {}, .look = look};
     return system::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0),
                                        test::reducer_parameters(), options);
   };
   int asked = 0;
-  const auto saying = [&](bool on) { return system::Look{kBefore, [&asked, on] { return ++asked, on; }}; };
+  const auto saying = [&](bool on) {
+    return system::EarlyCheck{kBefore, [&asked, on] { return ++asked, on; }};
+  };
   const auto short_run = run(kBefore, {}), long_run = run(kAll, {});
   const auto ended = run(kAll, saying(false)), went_on = run(kAll, saying(true));
   EXPECT_EQ(asked, 2);

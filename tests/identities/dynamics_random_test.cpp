@@ -60,11 +60,7 @@ double steps_of_longest_length(const MotionDraw& draw, const system::SteadyState
 
 constexpr const char* kHead =
     "number,rollers,roller_diameter_m,clearance_m,pitch_speed_m_per_s,load_per_area_Pa,film,limiting_shear,"
-    "mixed,"
-    "guidance_of_literature,guided,inner_guided,waves,unequal,viscosity_Pa_s,roughness_m,excitation,carrier_"
-    "rad_"
-    "per_"
-    "s,"
+    "mixed,guided,inner_guided,waves,unequal,viscosity_Pa_s,roughness_m,excitation,carrier_rad_per_s,"
     "longest_steps,steps,rejected,smallest_step_s,wall_s,cage_slip,ending";
 
 void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::SteadyStateResult& run) {
@@ -75,7 +71,6 @@ void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::
       << draw.bearing.radial_clearance << ',' << draw.pitch_speed << ',' << draw.point.bore_load.norm() / area
       << ',' << race.film_in_approach << ',' << (race.traction == motion::TractionLaw::limiting_shear) << ','
       << (race.lubrication == motion::Lubrication::mixed) << ','
-      << (draw.parameters.cage.guidance_film == motion::GuidanceFilm::literature_variant) << ','
       << (draw.parameters.cage.guide_diameter > 0.0) << ',' << (draw.bearing.cage.guidance == Race::inner)
       << ',' << draw.bearing.inner.form.size() + draw.bearing.outer.form.size() << ','
       << draw.bearing.rollers().diameter_deviation.size() << ',' << draw.parameters.lubricant.viscosity << ','

@@ -37,7 +37,7 @@ PlanetaryDrivetrain placed(const std::vector<int>& steps, double sun_support = 0
   gears.sun.support = {.stiffness = sun_support};
   gears.frame.centrifugal = false;  // of a sun off its place it would add what no closed form here has
   drivetrain.gear_set = [gears] { return gears; };
-  drivetrain.uneven_planets = gearset::stands_unevenly(drivetrain.set);
+  drivetrain.uneven_planets = gearset::is_unequally_spaced(drivetrain.set);
   return drivetrain;
 }
 
@@ -77,7 +77,8 @@ TEST(UnequalPlanets, HaveALeastGapAllAround) {
   EXPECT_NEAR(gearset::least_step({0.0, 130.0 * degree, 220.0 * degree}), 90.0 * degree, 1e-12);
   EXPECT_NEAR(gearset::least_step({0.0}), two_pi, 1e-12);
   const double step = 360.0 / 116.0;  // the last planet 10 steps before the first
-  EXPECT_NE(problem_of({0.0, 35.0 * step, 70.0 * step, 106.0 * step}).find("must not touch"), std::string::npos);
+  EXPECT_NE(problem_of({0.0, 35.0 * step, 70.0 * step, 106.0 * step}).find("must not touch"),
+            std::string::npos);
 }
 
 TEST(UnequalPlanets, ThatCannotBeAssembledAreRefused) {

@@ -312,15 +312,11 @@ class Figures(kept_records.Recorded):
     def test_two_ways(self):
         begin()
         content = made.coupled()
-        rows = "coupled.convergence"
         for name, edits in {"all": {}, "one system": {"fidelity": "monolithic", "coupled.how": None}, "no life": {"points.*.life_h": None}, "L10mh": of_life("L10mh") | {
                 "coupled.one_way.L10mh": [1.0e4, 2.0e4, 3.0e4, 4.0e4, 1.5e4, 1.7e4]}, "no life of both": {"coupled.one_way.life_h": [0.0] * 6},
-                "no convergence": {rows: None}, "no orders": {f"{rows}.orders": []}, "no limits": {f"{rows}.orders.*.stability_limit_us": None},
-                "no residual": {"points.*.interface_energy_residual": None}, "negative": {"points.*.interface_energy_residual": lambda x: -x, f"{rows}.rows.0.force_error": 0.0},
-                "shorter": {"coupled.one_way.life_h": [9e5, 8e5, 7e5, 6e5, 5e5, 0.0]}, "one scheme": {f"{rows}.rows": lambda x: x[::-1][:4]}}.items():
-            draws = {"all": coupled.blocks, "one system": coupled.blocks, "no convergence": coupled.blocks, "no residual": coupled.blocks}
-            draw = draws.get(name, (lambda one: [coupled._residual(one, one.point_column(coupled.RESIDUAL)), coupled._convergence(one)])
-                             if any(rows in path or "residual" in path for path in edits) else coupled._comparison)
+                "no residual": {"points.*.interface_energy_residual": None}, "negative": {"points.*.interface_energy_residual": lambda x: -x},
+                "shorter": {"coupled.one_way.life_h": [9e5, 8e5, 7e5, 6e5, 5e5, 0.0]}}.items():
+            draw = coupled.blocks if name in ("all", "one system", "no residual", "negative") else coupled._comparison
             self.block(f"two ways: {name}", draw, Report(changed(content, edits), None))
 
     def test_slip_over_speed_and_power(self):

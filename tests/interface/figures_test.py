@@ -471,10 +471,6 @@ def coupled(content):
     one, points = content["coupled"]["one_way"], content["points"]
     found = {"two-way": [speed_axes(rows(one, "speed_rpm", "life_h", "one way"), rows(points, "input_speed_rpm", "life_h", "two ways (co-simulated)"), y_label=LIFE)],
              "interface-energy": [speed_axes(rows(points, "input_speed_rpm", "interface_energy_residual"), y_label="energy residual / energy passed (%)", y_limits=(0.0, None))]}
-    by_scheme = [(name, [r for r in content["coupled"]["convergence"]["rows"] if r["scheme"] == name]) for name in ("degree 0", "degree 1")]
-    for slug, key, label in (("force", "force_error", "error of the force / force"), ("energy", "energy_residual", "energy residual / energy passed")):
-        found[f"convergence-{slug}"] = [Expected(*(line([r["window_us"] for r in group], named(group, key), name) for name, group in by_scheme),
-                                                 x="", y="1", x_label="window (µs)", y_label=label)]
     return found
 
 

@@ -49,12 +49,12 @@ class EffectsInMotion(unittest.TestCase):
         self.assertEqual(changed[f"sets.coupling.{LAND}"]["value"], inputs(SETS)[f"sets.coupling.{LAND}"]["value"])
 
     def test_what_the_case_has_not_or_has_already_is_left_out(self):
-        stated = inputs(REDUCER, "contact.damping_law=as-printed")
+        stated = inputs(REDUCER, "contact.squeeze=true")
         del stated[LAND]
         left = named(effects.in_motion(stated, True))
         self.assertIn("constant mesh stiffness", left)
         self.assertNotIn("cage on the inner ring", left)
-        self.assertNotIn("damping as printed", left)
+        self.assertNotIn("squeeze of the films", left)
 
     def test_forms_of_the_case_are_kept(self):
         block = "bearing.outer_race.out_of_roundness"

@@ -211,14 +211,9 @@ def coupled(content):
     one, points = content["coupled"]["one_way"], content["points"]
     known = dict(zip(one["speed_rpm"], one["life_h"]))
     before = [known.get(p["input_speed_rpm"]) for p in points]
-    rows = content["coupled"]["convergence"]["rows"]
     return {"two-way.summary": {**by_speed(points), "life, one way (h)": Q(before, "h"), "life, two ways (h)": column(points, "life_h"),
                                 "change": [percent_change(p["life_h"], b) for p, b in zip(points, before)]},
-            "interface-energy.data": {**by_speed(points), "energy residual / energy passed": column(points, "interface_energy_residual")},
-            "scheme-convergence.summary": {"scheme": ["degree 0"], "order where all is smooth": [1], "order found": [0.97], "forces run away from (µs)": [12.0]},
-            "scheme-convergence.data": {"scheme": [r["scheme"] for r in rows], "window (µs)": [r["window_us"] for r in rows],
-                                        "error of the force / force": [r["force_error"] for r in rows],
-                                        "energy residual / energy passed": [r["energy_residual"] for r in rows]}}
+            "interface-energy.data": {**by_speed(points), "energy residual / energy passed": column(points, "interface_energy_residual")}}
 
 
 def slip_map(content):
@@ -394,9 +389,6 @@ class Captions(unittest.TestCase):
         found = self.captions(content)
         self.assertIn(f"at {number(speed)} rpm: {number(100 * abs(changes[speed]), 3)} % {'longer' if changes[speed] > 0 else 'shorter'} than one way. "
                       "Points of this sweep: degree 1.", found["two-way"])
-        self.assertIn("during 0.4 ms", found["scheme-convergence"])
-        self.assertIn("Orders found: degree 0 0.97.", found["scheme-convergence"])
-        self.assertIn("from windows of 12 µs (degree 0) up", found["scheme-convergence"])
 
     def test_of_a_load_spectrum(self):
         content = made.spectrum()

@@ -137,11 +137,8 @@ class CompletePage(unittest.TestCase):
         for fidelity, there in (("monolithic", False), ("co-simulated", True)):
             content["fidelity"] = fidelity
             content["points"] = [{**point, "interface_energy_residual": 1e-4} for point in content["points"]]
-            content["coupled"] = {"convergence": {"rows": [{"scheme": "Jacobi, degree 0", "window_us": 5.0, "force_error": 0.1,
-                                                            "energy_residual": 0.01}]}}
             found = set(outline(words_of(content)).identifiers)
             self.assertEqual("interface-energy" in found, there)
-            self.assertEqual("scheme-convergence" in found, there)
             self.assertNotIn("dynamic-ablation", found)
 
     def test_the_caption_of_the_planet_load_claims_only_what_is_so(self):

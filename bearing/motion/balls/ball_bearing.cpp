@@ -62,7 +62,7 @@ Ball<double> ball_of(const StateLayout& layout, const double* x, int j) {
 // Everything that happens to one ball.
 struct BallTouches {
   Ball<double> ball;
-  SeenBody<double> ring[2];  // inner, outer
+  BodyFromBall<double> ring[2];  // inner, outer
   RaceTouch<double> race[2];
   PocketTouch<double> pocket;
 };
@@ -70,7 +70,8 @@ struct BallTouches {
 template <class Law>
 [[gnu::noinline]] RaceTouch<double> touch_of(const Law& law, const BallNumbers& c,
                                              const GrooveNumbers& groove, const Ball<double>& ball,
-                                             const SeenBody<double>& ring, const SeenSpots<double>& spots) {
+                                             const BodyFromBall<double>& ring,
+                                             const ScratchesFromBall<double>& spots) {
   ContactSlopes<double> unused;
   return race_touch<false>(law, c, groove, ball, ring, spots, unused);
 }
@@ -81,7 +82,7 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
   for (int j = 0; j < c.balls; ++j) {
     BallTouches& now = all.emplace_back();
     now.ball = ball_of(layout, x, j);
-    SeenSpots<double> spots;
+    ScratchesFromBall<double> spots;
     for (int i = 0; i < c.spots.count; ++i) {
       if (c.spots.ball[i] != j) continue;
       const double* position = x + layout.spot(i);
@@ -94,7 +95,7 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
         return touch_of(law, c, race == 0 ? c.inner : c.outer, now.ball, now.ring[race], spots);
       });
     }
-    const SeenBody<double> cage = seen(now.ball, bodies.cage);
+    const BodyFromBall<double> cage = seen(now.ball, bodies.cage);
     const double ahead = two_pi * j / c.balls + bodies.cage_turn - x[layout.lanes() + j];
     ContactSlopes<double> unused;
     PocketFilmSlopes<double> none;
@@ -111,7 +112,7 @@ ContactSnapshot shown(const RaceTouch<double>& touch) {
 }
 
 // Moment of a ball on the drive of a ring: moment about the ring's axis of the ball's wrench on the ring.
-double axial_moment(const SeenBody<double>& ring, const BallWrench<double>& on_ball) {
+double axial_moment(const BodyFromBall<double>& ring, const BallWrench<double>& on_ball) {
   return -dot(on_ball.moment + cross(ring.from_centre, on_ball.force), ring.axis);
 }
 

@@ -43,11 +43,11 @@ struct Body {
 /// Cylindrical coordinates of a ball, with the direction of its radius.
 template <class Number>
 struct Ball {
-  Number radius, axial;          // [m]
-  Number cosine, sine;           // [-]  of its angle
-  Triple<Number> velocity;       // [m/s]    radial, tangential, axial
-  Triple<Number> spin;           // [rad/s]  of the ball in space
-  Number orbital;                // [rad/s]
+  Number radius, axial;     // [m]
+  Number cosine, sine;      // [-]  of its angle
+  Triple<Number> velocity;  // [m/s]    radial, tangential, axial
+  Triple<Number> spin;      // [rad/s]  of the ball in space
+  Number orbital;           // [rad/s]
 };
 
 /// A vector of the bearing's axes in those of a ball.
@@ -68,7 +68,7 @@ Triple<Number> in_bearing_axes(const Ball<Number>& ball, const Triple<Number>& v
 
 /// A body in the axes of one ball.
 template <class Number>
-struct SeenBody {
+struct BodyFromBall {
   Triple<Number> from_centre;  // [m]      of the ball
   Triple<Number> axis;         // [-]
   Triple<Number> velocity;     // [m/s]    of the body's material where the ball's centre is
@@ -77,8 +77,8 @@ struct SeenBody {
 };
 
 template <class Number>
-SeenBody<Number> seen(const Ball<Number>& ball, const Body& body) {
-  SeenBody<Number> s;
+BodyFromBall<Number> seen(const Ball<Number>& ball, const Body& body) {
+  BodyFromBall<Number> s;
   const Triple<Number> centre = in_axes_of(ball, body.centre);
   s.from_centre = {ball.radius - centre.x, -centre.y, ball.axial - centre.z};
   s.axis = in_axes_of(ball, body.axis);

@@ -18,7 +18,8 @@ inline constexpr int kBallUnknowns = 6;  // velocity radial, tangential, axial; 
 inline constexpr int kCage = 0, kInner = kCageUnknowns, kOuter = kInner + kRingUnknowns;
 inline constexpr int kShared = kOuter + kRingUnknowns;
 
-/// Motion of a body's point at a ball's centre, in the ball's axes, by the body's unknowns: velocity, turning.
+/// Motion of a body's point at a ball's centre, in the ball's axes, by the body's unknowns: velocity,
+/// turning.
 struct BodyColumns {
   Pack by[kBallUnknowns][kCageUnknowns];
 };
@@ -67,10 +68,10 @@ class PackEngine final : public Engine {
     }
   }
 
-   void derivative(const double* x, const Surroundings& now, double* dx) override {
+  void derivative(const double* x, const Surroundings& now, double* dx) override {
     with_shear_law(c_.shear.law, [&](auto law) { evaluate<false>(law, x, now, dx); });
   }
-   void linearise(const double* x, const Surroundings& now, double* dx) override {
+  void linearise(const double* x, const Surroundings& now, double* dx) override {
     with_shear_law(c_.shear.law, [&](auto law) { evaluate<true>(law, x, now, dx); });
   }
   bool factor(double g) override;
@@ -86,15 +87,18 @@ class PackEngine final : public Engine {
   using LandDual = Dual<5>;
 
   template <bool kSlopes, class Law>
-  [[gnu::flatten, gnu::noinline]] void evaluate(const Law& law, const double* x, const Surroundings& now, double* dx);
-  // Whatever handles plain numbers is flattened: a copy of its own, left for other files to use, would run the
-  // instructions of this one.
+  [[gnu::flatten, gnu::noinline]] void evaluate(const Law& law, const double* x, const Surroundings& now,
+                                                double* dx);
+  // Whatever handles plain numbers is flattened: a copy of its own, left for other files to use, would run
+  // the instructions of this one.
   template <bool kSlopes, class Law>
-  [[gnu::noinline]] void evaluate_balls(const Law& law, int p, const double* x, const Body& inner, const Body& outer,
-                      const Body& cage, double cage_turn, BodySums& on_inner, BodySums& on_outer,
-                      BodySums& on_cage, double* dx);
+  [[gnu::noinline]] void evaluate_balls(const Law& law, int p, const double* x, const Body& inner,
+                                        const Body& outer, const Body& cage, double cage_turn,
+                                        BodySums& on_inner, BodySums& on_outer, BodySums& on_cage,
+                                        double* dx);
   template <bool kSlopes>
-  [[gnu::flatten, gnu::noinline]] void evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage, BodyLoad& on_ring);
+  [[gnu::flatten, gnu::noinline]] void evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage,
+                                                      BodyLoad& on_ring);
   void add_film(const BallPack& at, const BodyColumns& columns, const double* cage, const Triple<Pack>& own,
                 const Mask& here, double* rows, BallWrench<Pack>& sum) const;
   template <int kEnd>
@@ -104,8 +108,8 @@ class PackEngine final : public Engine {
   template <int kEnd>
   bool assemble(double g);
 
-  SeenSpots<Pack> seen_spots(int p, const double* x, const Ball<Pack>& ball) const {
-    SeenSpots<Pack> seen;
+  ScratchesFromBall<Pack> seen_spots(int p, const double* x, const Ball<Pack>& ball) const {
+    ScratchesFromBall<Pack> seen;
     for (int i = 0; i < c_.spots.count; ++i) {
       const int lane = c_.spots.ball[i] - p * kLanes;
       if (lane < 0 || lane >= kLanes) continue;
@@ -184,21 +188,21 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   ball.velocity.y = ball.radius * orbital;
   BallPack& at = linear_[p];
   BallWrench<Pack> sum;
-  const SeenSpots<Pack> spots = seen_spots(p, x, ball);
+  const ScratchesFromBall<Pack> spots = seen_spots(p, x, ball);
   // One copy of the code serves both races.
 #pragma GCC unroll 1
   for (int race = 0; race < 2; ++race) {
     const bool in = race == 0;
-    const SeenBody<Pack> ring = seen(ball, in ? inner : outer);
-    const RaceTouch<Pack> touch = race_touch<kSlopes>(law, c_, in ? c_.inner : c_.outer, ball, ring,
-                                                      spots, in ? at.inner : at.outer);
+    const BodyFromBall<Pack> ring = seen(ball, in ? inner : outer);
+    const RaceTouch<Pack> touch =
+        race_touch<kSlopes>(law, c_, in ? c_.inner : c_.outer, ball, ring, spots, in ? at.inner : at.outer);
     react(ball, ring.from_centre, touch.on_ball, here, in ? on_inner : on_outer);
     sum += touch.on_ball;
     if constexpr (kSlopes) (in ? at.from_inner : at.from_outer) = ring.from_centre;
     (in ? inner_load_ : outer_load_)[p] = only(here, touch.load);
   }
 
-  const SeenBody<Pack> seen_cage = seen(ball, cage);
+  const BodyFromBall<Pack> seen_cage = seen(ball, cage);
   const SineCosine ahead = sine_cosine(pocket_angle_[p] + cage_turn - angle);
   const Triple<Pack> pocket = pocket_direction(seen_cage.axis, ahead.cosine, ahead.sine);
   const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket, at.film);
@@ -290,8 +294,8 @@ inline void put_rates(const BodyNumbers& numbers, const Body& body, const BodyLo
   rate[2] = load.force.z / numbers.mass;
   // d/dt (I_d a x a' + I_p s a) = M: I_d a x a'' is what M has across a, less I_p s a'.
   const Triple<double> across = load.moment - scaled(dot(load.moment, body.axis), body.axis);
-  const Triple<double> turned = scaled(
-      1.0 / numbers.across, across - scaled(numbers.polar * body.spin, body.axis_rate));
+  const Triple<double> turned =
+      scaled(1.0 / numbers.across, across - scaled(numbers.polar * body.spin, body.axis_rate));
   const Triple<double> bend = cross(turned, body.axis);
   const double square = dot(body.axis_rate, body.axis_rate);
   rate[3] = bend.x - square * body.axis.x;
@@ -330,8 +334,8 @@ void PackEngine::evaluate(const Law& law, const double* x, const Surroundings& n
   move(layout_.cage(), kCageUnknowns, c_.cage, cage, on_cage);
   // The angle of the pockets, counted after the shortest turn that tilts the cage.
   double* cage_rate = dx + layout_.cage();
-  cage_rate[5] = cage.spin + (cage.axis.x * cage.axis_rate.y - cage.axis.y * cage.axis_rate.x) /
-                                 (1.0 + cage.axis.z);
+  cage_rate[5] =
+      cage.spin + (cage.axis.x * cage.axis_rate.y - cage.axis.y * cage.axis_rate.x) / (1.0 + cage.axis.z);
   cage_rate[2 * kCageUnknowns - 1] =
       (dot(on_cage.moment, cage.axis) - c_.drag.cage_churning * cage.spin * __builtin_fabs(cage.spin)) /
       c_.cage.polar;

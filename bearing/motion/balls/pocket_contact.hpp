@@ -37,12 +37,12 @@ Triple<Number> pocket_direction(const Triple<Number>& axis, const Number& cosine
 /// Slopes of the oil on both sides of a ball, in the axes of its touch and about its own centre.
 template <class Number>
 struct PocketFilmSlopes {
-  Number by_approach;    // [N/m]      of the load
-  Number by_speed;       // [N s/m]
-  Number by_along, by_across;                // [N s/m]  of the load by sliding
+  Number by_approach;                          // [N/m]      of the load
+  Number by_speed;                             // [N s/m]
+  Number by_along, by_across;                  // [N s/m]  of the load by sliding
   Number by_turning_along, by_turning_across;  // [N s]  by turning about either
-  Number along, across;  // [N s/m]    drag
-  Number rotating;       // [N m s]    against turning about either
+  Number along, across;                        // [N s/m]    drag
+  Number rotating;                             // [N m s]    against turning about either
 };
 
 /// Adds the oil on both sides of a ball `distance` [m] off the pocket's middle line along `axes.normal`; on
@@ -57,7 +57,8 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
   using namespace mechanics;
   const PocketNumbers& pocket = c.pocket;
   const RigidPointFilm& film = pocket.film;
-  const Number rolling_along = c.radius * dot(turn, axes.across), rolling_across = c.radius * dot(turn, axes.along);
+  const Number rolling_along = c.radius * dot(turn, axes.across),
+               rolling_across = c.radius * dot(turn, axes.along);
   Triple<Number> force{}, moment{};
   for (int i = 0; i < 2; ++i) {
     const double side = i == 0 ? 1.0 : -1.0;
@@ -88,9 +89,11 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
       slopes.rotating += (c.radius * c.radius) * now.shear;
     }
   }
-  const Number least = Number{} + film.least_gap, eccentricity = smaller(distance / pocket.play, Number{} + 1.0);
+  const Number least = Number{} + film.least_gap,
+               eccentricity = smaller(distance / pocket.play, Number{} + 1.0);
   const Number off = eccentricity * eccentricity;
-  const Number both = 1.0 / larger(pocket.play - distance, least) + 1.0 / larger(pocket.play + distance + longer, least);
+  const Number both =
+      1.0 / larger(pocket.play - distance, least) + 1.0 / larger(pocket.play + distance + longer, least);
   const Number round = (film.squeeze * film.size) * both * (1.0 - off) / (1.0 + 2.0 * off);
   const Number moving = dot(approaching, axes.across);
   force += scaled(round * moving, axes.across);
@@ -102,9 +105,9 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
 
 /// Slopes are written where kSlopes.
 template <bool kSlopes, class Number>
-PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball, const SeenBody<Number>& cage,
-                                 const Triple<Number>& direction, ContactSlopes<Number>& slopes,
-                                 PocketFilmSlopes<Number>& film) {
+PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
+                                 const BodyFromBall<Number>& cage, const Triple<Number>& direction,
+                                 ContactSlopes<Number>& slopes, PocketFilmSlopes<Number>& film) {
   using namespace mechanics;
   constexpr double kAtCentre = 1e-30;  // [m^2]  keeps the normal finite in the pocket's middle
   const PocketNumbers& pocket = c.pocket;
@@ -141,8 +144,7 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
   touch.driving = load * off * per_distance;
   touch.on_ball.force =
       scaled(force[0], axes.normal) + scaled(force[1], axes.along) + scaled(force[2], axes.across);
-  touch.on_ball.moment =
-      scaled(c.radius * force[1], axes.across) - scaled(c.radius * force[2], axes.along);
+  touch.on_ball.moment = scaled(c.radius * force[1], axes.across) - scaled(c.radius * force[2], axes.along);
   touch.damping_power = only(touching, normal.power);
   touch.friction_power = force[1] * along + force[2] * across;
   if constexpr (kSlopes) {
@@ -163,7 +165,9 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
     slopes.friction.by[1][0] = slopes.friction.by[0][1] = -(bend * along * across);
     slopes.friction.by[1][1] = per_speed - bend * across * across;
   }
-  if constexpr (kSlopes) film = PocketFilmSlopes<Number>{Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}};
+  if constexpr (kSlopes)
+    film = PocketFilmSlopes<Number>{Number{}, Number{}, Number{}, Number{}, Number{},
+                                    Number{}, Number{}, Number{}, Number{}};
   if (pocket.film.present()) {
     const Number longer = (2.0 * pocket.half_straight) * absolute(off) * per_distance;
     add_pocket_film<kSlopes>(c, axes, distance, longer, cage.velocity - ball.velocity, turn, touch, film);

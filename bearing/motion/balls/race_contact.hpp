@@ -27,16 +27,16 @@ namespace orbearing::bearing::balls {
 
 /// A scratch in the axes of one ball, for one of its contacts.
 template <class Number>
-struct SeenSpot {
+struct ScratchFromBall {
   Triple<Number> position;  // [-]  direction of its middle, in the ball's axes
   Number owned{};           // [-]  1 where the ball has it, else 0
 };
 
 /// Those of all balls at hand.
 template <class Number>
-struct SeenSpots {
+struct ScratchesFromBall {
   int count = 0;
-  SeenSpot<Number> spot[SpotNumbers::kMost];
+  ScratchFromBall<Number> spot[SpotNumbers::kMost];
 };
 
 /// Effect of the spots on a contact.
@@ -61,7 +61,7 @@ struct NormalMotion {
 /// In space, of the direction from the groove's centre to the ball's.
 template <class Number>
 Triple<Number> normal_rate(const GrooveNumbers& groove, const Ball<Number>& ball,
-                           const SeenBody<Number>& ring, const Triple<Number>& outward,
+                           const BodyFromBall<Number>& ring, const Triple<Number>& outward,
                            const Number& per_away, const Triple<Number>& normal, const Number& per_distance) {
   const Triple<Number> axis_rate = cross(ring.rotating, ring.axis);
   const Triple<Number> centre = ring.velocity - cross(ring.rotating, ring.from_centre);
@@ -76,7 +76,7 @@ Triple<Number> normal_rate(const GrooveNumbers& groove, const Ball<Number>& ball
 }
 
 template <class Number>
-SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const SeenSpots<Number>& spots,
+SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const ScratchesFromBall<Number>& spots,
                              const NormalMotion<Number>& at) {
   using namespace mechanics;
   constexpr double kMiddle = 1e-24;  // keeps the direction finite where it does not matter
@@ -105,14 +105,14 @@ SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const SeenSpo
 template <class Number>
 struct RaceTouch {
   BallWrench<Number> on_ball;
-  Number load{};         // [N]  with damping and squeeze, >= 0
-  Number approach{};     // [m]  negative where they part
-  Number contact_angle{};// sine: axial part of n
+  Number load{};            // [N]  with damping and squeeze, >= 0
+  Number approach{};        // [m]  negative where they part
+  Number contact_angle{};   // sine: axial part of n
   Number sliding_along{};   // [m/s]  race less ball, in the middle
   Number sliding_across{};  // [m/s]
-  Number spin{};         // [rad/s]  race less ball about n
-  Number entrainment{};  // [m/s]
-  Number film{};         // [m]  central
+  Number spin{};            // [rad/s]  race less ball about n
+  Number entrainment{};     // [m/s]
+  Number film{};            // [m]  central
   Number damping_power{}, sliding_power{}, spin_power{}, differential_power{}, rolling_power{};  // [W]
 };
 
@@ -145,11 +145,11 @@ ElementDepth<Number> element_depth(const ScratchNumbers& c, const Ball<Number>& 
 /// `slopes` are written where kSlopes; those of scratches are left out.
 template <bool kSlopes, class Law, class Number>
 RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
-                             const Ball<Number>& ball, const SeenBody<Number>& ring,
-                             const SeenSpots<Number>& spots, ContactSlopes<Number>& slopes) {
+                             const Ball<Number>& ball, const BodyFromBall<Number>& ring,
+                             const ScratchesFromBall<Number>& spots, ContactSlopes<Number>& slopes) {
   using namespace mechanics;
-  constexpr double kLeastLoad = 1e-6;   // [N]  keeps logarithms finite where there is none
-  constexpr double kAtCentre = 1e-30;   // [m^2]  keeps the normal finite in the groove's centre
+  constexpr double kLeastLoad = 1e-6;  // [N]  keeps logarithms finite where there is none
+  constexpr double kAtCentre = 1e-30;  // [m^2]  keeps the normal finite in the groove's centre
   RaceTouch<Number> touch;
   // Along the ring's axis and away from it.
   const Number along_axis = dot(ring.from_centre, ring.axis);
@@ -173,8 +173,8 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   if (spots.count > 0)
     spotted = spot_touch(&groove == &c.inner ? c.spots.on_inner : c.spots.on_outer, c.radius, spots,
                          {axes.normal, axes.along, axes.across, ring.axis,
-                          normal_rate(groove, ball, ring, outward, per_away, axes.normal, per_distance), ball.spin,
-                          per_away, per_distance});
+                          normal_rate(groove, ball, ring, outward, per_away, axes.normal, per_distance),
+                          ball.spin, per_away, per_distance});
   const Number approach = distance - groove.play - scratched.depth - spotted.depth;
   const auto touching = approach > Number{};
   touch.approach = approach;

@@ -8,7 +8,7 @@ namespace orbearing::bearing::vectorised {
 namespace packs_baseline {
 namespace {
 
-SeenContact<PackPair> seen_contact(const RacePair& race, const RaceMotion& m, const RaceLoads& x) {
+ObservedContact<PackPair> seen_contact(const RacePair& race, const RaceMotion& m, const RaceLoads& x) {
   const NormalForce force = normal_force(race, m, x);
   const ContactForce<PackPair> on_roller = contact_force(m, x, force);
   PackPair form_power{};
@@ -30,8 +30,8 @@ SeenContact<PackPair> seen_contact(const RacePair& race, const RaceMotion& m, co
 }
 
 // The numbers of so many rollers, the first of a pack.
-void put_lanes(const SeenContact<PackPair>& both, int count, SeenRoller* seen) {
-  constexpr int kNumbers = sizeof(SeenContact<double>) / sizeof(double);
+void put_lanes(const ObservedContact<PackPair>& both, int count, ObservedRoller* seen) {
+  constexpr int kNumbers = sizeof(ObservedContact<double>) / sizeof(double);
   static_assert(sizeof both == kNumbers * sizeof(PackPair));
   double packs[kNumbers][2][kLanes], inner[kNumbers], outer[kNumbers];
   __builtin_memcpy(packs, &both, sizeof packs);
@@ -50,7 +50,7 @@ class Observer {
   Observer(const Constants& constants, const RollerConstants& rollers, const double* x)
       : c_(constants), races_(race_pair(c_)), given_(rollers), x_(x), layout_(layout_of(c_)) {}
 
-  void observe(SeenRoller* seen) const {
+  void observe(ObservedRoller* seen) const {
     for (int first = 0; first < c_.rollers; first += kLanes)
       put_lanes(races_at(first), c_.rollers - first < kLanes ? c_.rollers - first : kLanes, seen + first);
     if (!c_.caged) observe_neighbours(seen);
@@ -62,14 +62,14 @@ class Observer {
     return {entry(0), entry(1), entry(2), entry(3), entry(4), load(given_.radius + first)};
   }
 
-  SeenContact<PackPair> races_at(int first) const {
+  ObservedContact<PackPair> races_at(int first) const {
     const RollerMotion now = rollers_at(first);
     const SineCosine turn = sine_cosine(now.theta);
     const auto motion_to = [&](const double* ring) {
       return relative_motion(now.r, now.radial, now.orbital, now.spin, turn.cosine, turn.sine,
                              {ring[0], ring[1], ring[2], ring[3]});
     };
-    LaminaStand stand;
+    RollerApproaches stand;
     if (layout_.tilting) stand.end_displacement = load(x_ + 5 * layout_.lanes() + first);
     const RaceMotion m =
         race_motion(races_, now.radius, first_lanes(c_.rollers - first), turn.cosine, turn.sine,
@@ -78,7 +78,7 @@ class Observer {
     return seen_contact(races_, m, race_loads<false>(races_, m, turn.cosine, turn.sine, stand));
   }
 
-  void observe_neighbours(SeenRoller* seen) const {
+  void observe_neighbours(ObservedRoller* seen) const {
     const int packs = layout_.lanes() / kLanes;
     Neighbours moved(packs), radii(packs);
     moved.take(x_, 5, c_.rollers);
@@ -112,7 +112,8 @@ class Observer {
 }  // namespace
 }  // namespace packs_baseline
 
-void observe(const Constants& constants, const RollerConstants& rollers, const double* x, SeenRoller* seen) {
+void observe(const Constants& constants, const RollerConstants& rollers, const double* x,
+             ObservedRoller* seen) {
   packs_baseline::Observer(constants, rollers, x).observe(seen);
 }
 

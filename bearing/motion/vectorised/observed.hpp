@@ -8,7 +8,7 @@ namespace orbearing::bearing::vectorised {
 
 /// A roller in its contact with one race. Nothing but numbers; powers are lost, >= 0, but for the last.
 template <class Number>
-struct SeenContact {
+struct ObservedContact {
   Number approach;          // [m]    of the rigid bodies
   Number elastic_approach;  // [m]    in the middle; zero or negative where they do not touch
   Number load;              // [N]    with damping and squeeze
@@ -22,8 +22,8 @@ struct SeenContact {
   Number form_power;        // [W]    that what holds an out-of-round race takes from the turning race
 };
 
-struct SeenRoller {
-  SeenContact<double> inner, outer;
+struct ObservedRoller {
+  ObservedContact<double> inner, outer;
   // Contact with the neighbour ahead, without a cage:
   double neighbour_load = 0.0;    // [N]
   double neighbour_energy = 0.0;  // [J]
@@ -31,6 +31,7 @@ struct SeenRoller {
 };
 
 /// Observes the padded state `x`; `seen` holds as many entries as there are rollers.
-void observe(const Constants& constants, const RollerConstants& rollers, const double* x, SeenRoller* seen);
+void observe(const Constants& constants, const RollerConstants& rollers, const double* x,
+             ObservedRoller* seen);
 
 }  // namespace orbearing::bearing::vectorised

@@ -83,7 +83,7 @@ struct RollerPack {
   ContactSlopes<Pack> inner, outer;
   Pack outer_r, outer_t;  // [N]  force of the outer race on the roller
   PocketSlopes pocket;
-  Pack rate_by_end_displacement, rate_by_inner, rate_by_outer;  // [1/s]  LaminaStand
+  Pack rate_by_end_displacement, rate_by_inner, rate_by_outer;  // [1/s]  RollerApproaches
   bool caged = false;
 };
 
@@ -157,7 +157,7 @@ class PackEngine final : public Engine {
 
  private:
   static constexpr int kEndDisplacement = 5;  // group of the end displacements in the state
-  using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
+  using GuidanceDual = Dual<5>;               // by offset x y, velocity x y, cage speed
 
   // The code of a full complement is compiled separately, so that bearings with a cage do not carry it: their
   // right-hand side would take a tenth longer.
@@ -311,24 +311,24 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     return relative_motion(r, radial, orbital, spin, cosine, sine, body);
   };
   ContactSlopes<PackPair> slopes;
-  LaminaStand stand;
-  if (layout_.tilting) stand.end_displacement = load(entry(x, kEndDisplacement, p));
+  RollerApproaches approaches;
+  if (layout_.tilting) approaches.end_displacement = load(entry(x, kEndDisplacement, p));
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
       races_, radius, here, cosine, sine,
       {p * kLanes, x + layout_.turned(), x + layout_.wave(), x + layout_.wave_speed(), &wave_force_[0]},
       joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
-      slopes, stand);
+      slopes, approaches);
   if (c_.laminae.count > 0) {
-    inner_approach_[p] = stand.inner_approach;
-    outer_approach_[p] = stand.outer_approach;
-    tip_[p] = stand.end_displacement;
+    inner_approach_[p] = approaches.inner_approach;
+    outer_approach_[p] = approaches.outer_approach;
+    tip_[p] = approaches.end_displacement;
   }
   if (layout_.tilting) {
-    store(only(here, stand.rate), entry(dx, kEndDisplacement, p));
+    store(only(here, approaches.rate), entry(dx, kEndDisplacement, p));
     if constexpr (WithSlopes) {
-      linear.rate_by_end_displacement = stand.by_end_displacement;
-      linear.rate_by_inner = stand.by_inner;
-      linear.rate_by_outer = stand.by_outer;
+      linear.rate_by_end_displacement = approaches.by_end_displacement;
+      linear.rate_by_inner = approaches.by_inner;
+      linear.rate_by_outer = approaches.by_outer;
     }
   }
   if constexpr (WithSlopes) {

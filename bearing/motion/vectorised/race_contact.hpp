@@ -237,13 +237,13 @@ void add_squeeze(const RacePair& race, const RaceMotion& m, const ElasticLoad& e
 
 template <bool WithSlopes>
 RaceLoads race_loads(const RacePair& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
-                     LaminaStand& stand) {
+                     RollerApproaches& approaches) {
   using mechanics::variable;
   RaceLoads x;
   const PackPair log_speed =
       race.film || race.squeezed || race.friction.oiled() ? logarithm(m.entrainment) : PackPair{};
   ElasticLoad e{elastic_approach<WithSlopes>(race, m.approach, log_speed), {}};
-  e.load = race.laminae.count > 0 ? lamina_load(race, e.approach, cosine, sine, stand)
+  e.load = race.laminae.count > 0 ? lamina_load(race, e.approach, cosine, sine, approaches)
                                   : straight_load(race, e.approach);
   x.elastic_approach = e.approach.value;
   x.elastic_load = e.load.load;
@@ -418,15 +418,15 @@ inline ContactForce<PackPair> contact_force(const RaceMotion& m, const RaceLoads
 }
 
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
-/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' angles. `stand` is
+/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' angles. `approaches` is
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<PackPair> race_contact(const RacePair& race, const Pack& radius, const Mask& present,
                                     const Pack& cosine, const Pack& sine, const FormState& state,
                                     const RelativeMotion<PackPair>& relative, ContactSlopes<PackPair>& slopes,
-                                    LaminaStand& stand) {
+                                    RollerApproaches& approaches) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, state, relative);
-  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
+  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, approaches);
   if (!any(x.load > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<PackPair>{};
     return {};

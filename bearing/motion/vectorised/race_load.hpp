@@ -234,9 +234,9 @@ inline PackPair end_displacements(const Pack& end_displacement, const Pack& oute
   return {-end_displacement, end_displacement - outer_end_displacement};
 }
 
-/// Approaches and tilt of a pack of rollers: motion::LaminaStand, and the rate of the end displacement with
-/// its slopes.
-struct LaminaStand {
+/// Approaches and tilt of a pack of rollers: motion::RollerApproaches, and the rate of the end displacement
+/// with its slopes.
+struct RollerApproaches {
   Pack inner_approach{}, outer_approach{}, end_displacement{};  // [m]
   Pack rate{};                                                  // [m/s]  of the end displacement
   Pack by_end_displacement{}, by_inner{},
@@ -247,10 +247,10 @@ struct LaminaStand {
 /// variables on the loads is left out of the slopes: the integrator keeps its order with any matrix, and the
 /// tilt itself is solved for with all of its own (PackEngine::complete_rollers).
 inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const Pack& cosine,
-                             const Pack& sine, LaminaStand& stand) {
+                             const Pack& sine, RollerApproaches& approaches) {
   const LaminaConstants& laminae = race.laminae;
-  stand.inner_approach = e.value.low;
-  stand.outer_approach = e.value.high;
+  approaches.inner_approach = e.value.low;
+  approaches.outer_approach = e.value.high;
   const NumberPair share = race.stiffness * (1.0 / laminae.count);
   if (laminae.upright) {
     const LaminaPackSums sums = upright_sums(laminae, e.value);
@@ -259,15 +259,15 @@ inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const 
   const Pack outer_end_displacement =
       laminae.bore_end_displacement_x * cosine + laminae.bore_end_displacement_y * sine;
   const LaminaPackSums sums =
-      tilted_sums(laminae, e.value, end_displacements(stand.end_displacement, outer_end_displacement));
+      tilted_sums(laminae, e.value, end_displacements(approaches.end_displacement, outer_end_displacement));
   const NumberPair per_resistance = share * (1.0 / laminae.resistance);
   const PackPair moment = per_resistance * sums.end_load;
   const PackPair by_end_displacement = kLineExponent * per_resistance * sums.by_end_displacement;
   const PackPair mixed = kLineExponent * per_resistance * sums.mixed * e.by_approach;
-  stand.rate = moment.low - moment.high;
-  stand.by_end_displacement = -(by_end_displacement.low + by_end_displacement.high);
-  stand.by_inner = mixed.low;
-  stand.by_outer = -mixed.high;
+  approaches.rate = moment.low - moment.high;
+  approaches.by_end_displacement = -(by_end_displacement.low + by_end_displacement.high);
+  approaches.by_inner = mixed.low;
+  approaches.by_outer = -mixed.high;
   return {share * sums.load, kLineExponent * share * sums.by_approach};
 }
 

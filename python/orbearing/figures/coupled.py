@@ -1,17 +1,15 @@
-"""Gears and bearings that act on each other: what that changes, and how close the exchange comes to one system."""
+"""Gears and bearings that act on each other: what that changes, and what energy the exchange makes or loses."""
 
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, columns_table, format_change, format_number, is_number
-from orbearing.result_folder import Report, curve, record, records
+from orbearing.result_folder import Report, curve, record
 
 SLUG, TITLE = "two-way", "Gears and bearings: one way against two ways"
 RESIDUAL_SLUG, RESIDUAL_TITLE = "interface-energy", "Energy that the exchange makes or loses"
-CONVERGENCE_SLUG, CONVERGENCE_TITLE = "scheme-convergence", "How the schemes of exchange converge"
 RESIDUAL = "interface_energy_residual"
 CAPTION = (
     "One way, the gears vibrate on springs and dampers that are fitted to the bearing, and shake it; two ways, rollers, film and cage act "
@@ -20,12 +18,6 @@ CAPTION = (
 RESIDUAL_CAPTION = (
     "Between two exchanges each side works with an estimate of the other's force or motion. What the bearings give at their ports and the "
     "gears take there then differ; shown is the sum of the differences of all windows over the energy that passed the ports."
-)
-CONVERGENCE_CAPTION = (
-    "Error of the forces on all planets during {path} ms, rms over rms, against the system solved as one, over the window between two "
-    "exchanges (left), and the energy residual of the ports (right). {orders}{limit} Orders are slopes between the two shortest windows whose error still falls; jumps of the mesh stiffness "
-    "and rollers that meet or leave their races scatter them, and hold degree 2 and repeated windows below their order. "
-    "Longer paths say nothing about a scheme: rollers are chaotic."
 )
 
 
@@ -37,8 +29,6 @@ def blocks(report: Report) -> list[FigureBlock]:
     residual = report.point_column(RESIDUAL)
     if np.any(np.isfinite(residual)):
         found.append(_residual(report, residual))
-    if _rows(report):
-        found.append(_convergence(report))
     return found
 
 
@@ -84,50 +74,3 @@ def _residual(report: Report, residual: np.ndarray) -> FigureBlock:
     table = columns_table(("input speed (rpm)", "energy residual / energy passed"), speed, residual)
     picture = style.to_svg(figure, RESIDUAL_SLUG, "Energy residual of the ports over speed")
     return FigureBlock(RESIDUAL_SLUG, RESIDUAL_TITLE, RESIDUAL_CAPTION, (picture,), data=table)
-
-
-def _rows(report: Report) -> list[dict]:
-    return records(record(report.record("coupled").get("convergence")).get("rows"))
-
-
-def _convergence(report: Report) -> FigureBlock:
-    content = record(report.record("coupled").get("convergence"))
-    rows = _rows(report)
-    schemes = list(dict.fromkeys(str(row.get("scheme")) for row in rows))
-    pictures = (
-        _loglog(rows, schemes, "force_error", "error of the force / force", "convergence-force"),
-        _loglog(rows, schemes, "energy_residual", "energy residual / energy passed", "convergence-energy"),
-    )
-    orders = [o for o in records(content.get("orders")) if is_number(o.get("measured"))]
-    path = content.get("path_ms")
-    limits = [(o.get("scheme"), o["stability_limit_us"]) for o in orders if is_number(o.get("stability_limit_us"))]
-    caption = CONVERGENCE_CAPTION.format(
-        path=format_number(path, 3),
-        orders="Orders found: " + ", ".join(f"{o.get('scheme')} {o['measured']:.2f}" for o in orders) + ". " if orders else "",
-        limit="Forces run away within 2 ms from windows of " + ", ".join(f"{format_number(x, 3)} \u00b5s ({name})" for name, x in limits) + " up. "
-        if limits else "")
-    summary = Table(("scheme", "order where all is smooth", "order found", "forces run away from (\u00b5s)"),
-                    [(o.get("scheme"), o.get("expected"), round(o["measured"], 2), o.get("stability_limit_us")) for o in orders]) if orders else None
-    columns = ("scheme", "window_us", "force_error", "energy_residual")
-    data = Table(("scheme", "window (\u00b5s)", "error of the force / force", "energy residual / energy passed"),
-                 [tuple(row.get(name) for name in columns) for row in rows])
-    return FigureBlock(CONVERGENCE_SLUG, CONVERGENCE_TITLE, caption, pictures, summary=summary, data=data)
-
-
-def _loglog(rows: list[dict], schemes: list[str], column: str, label: str, slug: str) -> str:
-    figure = Figure(figsize=(4.6, 4.6))
-    axes = figure.add_subplot()
-    for index, scheme in enumerate(schemes):
-        points = sorted((r["window_us"], r[column]) for r in rows
-                        if str(r.get("scheme")) == scheme and is_number(r.get("window_us")) and is_number(r.get(column)) and r[column] > 0)
-        if points:
-            axes.plot(*zip(*points), color=style.SERIES[index % len(style.SERIES)], linestyle=style.DASHES[index % len(style.DASHES)],
-                      marker="o", markersize=4, label=scheme)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    style.plain_logarithmic(axes.xaxis)
-    style.plain_logarithmic(axes.yaxis, labelled=(1,))
-    axes.set_xlabel("window (\u00b5s)")
-    axes.set_ylabel(label)
-    style.legend_above(axes, columns=2)
-    return style.to_svg(figure, slug, f"{label} over the window between two exchanges")

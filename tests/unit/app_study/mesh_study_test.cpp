@@ -153,14 +153,6 @@ TEST(MeshesJson, HoldsTheKeysOfTheContract) {
   EXPECT_NEAR(sum / static_cast<double>(mesh.at("curve").size()), mean, of_the_jumps * mean);
 }
 
-TEST(MeshCharts, DrawEachKindOfMeshOnce) {
-  const std::string text = mesh_charts(mesh_study(shipped()), Glyphs::ascii);
-  for (const char* kind : {"sun and planet", "ring and planet"}) {
-    EXPECT_NE(text.find(kind), std::string::npos) << kind;
-    EXPECT_EQ(text.find(kind), text.rfind(kind)) << kind;
-  }
-}
-
 ValidationOptions meshes_alone() {
   ValidationOptions options;
   options.result_of = [](const std::string&, const std::string&, const ResolvedCase& in) {

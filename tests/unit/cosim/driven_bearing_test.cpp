@@ -152,9 +152,6 @@ TEST(DrivenBearing, RefusesAForeignState) {
 
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
   DrivenBearingSetup setup = test::driven_reducer();
-  setup.dynamics.race.film_approach = bearing::FilmApproach::literature_variant;
-  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 9", DrivenBearing{setup});
-  setup = test::driven_reducer();
   setup.dynamics.driving.ramp = 1.0;
   EXPECT_REFUSED(std::invalid_argument, "driven_bearing 10", DrivenBearing{setup});
   setup = test::driven_reducer();

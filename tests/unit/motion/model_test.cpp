@@ -115,7 +115,7 @@ TEST(InitialState, CarriesTheQuasiStaticLoads) {
   }
 }
 
-// Likewise with races that are not round, unequal rollers and the film as printed.
+// Likewise with races that are not round, unequal rollers and a film.
 TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
   Bearing bearing = test::reducer_bearing();
   bearing.inner.form = {{2, 3e-6, 0.4, false}};
@@ -123,37 +123,16 @@ TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
   bearing.rollers().diameter_deviation = {2e-6, 0.0, -3e-6};
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = true;
-  parameters.race.film_approach = FilmApproach::literature_variant;
   const OperatingPoint point = test::reducer_point(6000.0);
   const BearingModel model = bearing_model(bearing, point, parameters);
   const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
   QuasiStaticOptions options;
   options.film = parameters.lubricant;
-  options.film_approach = FilmApproach::literature_variant;
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
   const double geometric =
       1e-2 * balance.inner_load.maxCoeff();  // as above, times the waves' order of some 8
   for (int j = 0; j < bearing.rollers().count; ++j)
     EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric) << "roller " << j;
-}
-
-TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
-  const Bearing bearing = test::reducer_bearing();
-  const OperatingPoint point = test::reducer_point(6000.0);
-  DynamicsParameters parameters = test::reducer_parameters();
-  const BearingModel default_value = bearing_model(bearing, point, parameters);
-  parameters.race.damping_law = DampingLaw::literature_variant;
-  parameters.race.film_in_approach = true;
-  parameters.race.film_approach = FilmApproach::literature_variant;
-  parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
-  const BearingModel published = bearing_model(bearing, point, parameters);
-  EXPECT_DOUBLE_EQ(race_load(published.inner, 2e-6, 5.0), 1.1 * race_load(default_value.inner, 2e-6, 5.0));
-  EXPECT_EQ(published.inner.damping, 0.0);
-  EXPECT_LT(published.inner.radius, default_value.inner.radius);
-  EXPECT_GT(published.outer.radius, default_value.outer.radius);
-  const double gamma = 5.24 / 35.64;
-  EXPECT_DOUBLE_EQ(published.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 - gamma));
-  EXPECT_DOUBLE_EQ(default_value.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 + gamma));
 }
 
 }  // namespace

@@ -1,19 +1,17 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "app/results/progress.hpp"
-#include "app/results/terminal_chart.hpp"
+#include "app/results/sweep_table.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app::terminal_test {
+namespace orbearing::app::sweep_table_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -30,105 +28,22 @@ std::vector<ResultRow> fake_rows(std::size_t count) {
   return rows;
 }
 
-bool is_ascii(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-}
-
-TEST(Canvas, BrailleDotsStandWhereTheyAreSet) {
-  Canvas canvas(2, 1, Glyphs::braille);
-  canvas.dot(0, 0);  // lower left: dot 7
-  canvas.dot(3, 3);  // upper right of the second character: dot 4
-  canvas.dot(4, 0);  // outside
-  EXPECT_EQ(canvas.lines(), std::vector<std::string>{"\u2840\u2808"});
-}
-
-TEST(Canvas, LineJoinsItsEndsWithoutGaps) {
-  Canvas canvas(5, 3, Glyphs::ascii);
-  canvas.line(0, 0, 4, 2);
-  EXPECT_EQ(canvas.lines(), (std::vector<std::string>{"   ..", " ..  ", ".    "}));
-}
-
-TEST(Canvas, MarkStandsInPlaceOfDots) {
-  Canvas canvas(2, 1, Glyphs::ascii);
-  canvas.dot(1, 0);
-  canvas.mark(1, 0, "O");
-  EXPECT_EQ(canvas.lines(), std::vector<std::string>{" O"});
-}
-
-TEST(LifeChart, LabelsItsAxesAndTellsThePeak) {
+TEST(PeakText, TellsThePeakAndWhichPointsHaveNoLife) {
   const std::vector<ResultRow> rows = fake_rows(60);
   const TableHead head = table_head({});
   LifePeak peak = grid_peak(head, rows);
   peak.refined_life_h = 50000.0;
   peak.refined_speed_rpm = 1050.4;
-  const std::string chart = life_chart(head, rows, peak, Glyphs::braille);
-  for (const char* part :
-       {"life [h]", "[rpm]", "1000", "●", "longest life: 50000 h at 1050.4 rpm; of the grid's",
-        "1 of 60 points have no life and are not shown"})
-    EXPECT_THAT(chart, HasSubstr(part));
+  EXPECT_EQ(peak_text(head, rows, peak),
+            "1 of 60 points have no life\nlongest life: 50000 h at 1050.4 rpm; of the grid's points " +
+                fmt::format("{:.5g} h at {:g} rpm\n", peak.life_h, peak.speed_rpm));
 }
 
-// The line that a tick's label is on is the one where a life of as many hours is drawn.
-TEST(LifeChart, LabelsAreOnTheLinesOfTheirLives) {
-  std::vector<ResultRow> rows;
-  for (const double life : {10000.0, 1000.0, 100.0}) {
-    study::PointResult result = fake_sweep::fake_result(0);
-    result.input_speed = fake_sweep::input_speed_of(100 * rows.size());
-    result.life_hours = life;
-    rows.push_back(result_row(result, {}));
-  }
+TEST(PeakText, OnePointOrNoneIsReportedInWords) {
   const TableHead head = table_head({});
-  std::istringstream chart(life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii));
-  std::string line;
-  std::getline(chart, line);  // the name of the axis
-  std::getline(chart, line);
-  EXPECT_THAT(line, HasSubstr("10000 +O")) << "the longest life, at the lowest speed";
-  for (int passed = 0; std::getline(chart, line) && line.find(" 1000 +") == std::string::npos;)
-    ASSERT_LT(++passed, 40);
-  const std::size_t axis = line.find('+'), dot = line.find('.', axis);
-  ASSERT_NE(dot, std::string::npos) << line;
-  const std::size_t middle = axis + (line.size() > axis ? 1 : 0);
-  EXPECT_GT(dot, middle + 20) << "half way from the lowest speed to the highest";
-}
-
-TEST(LifeChart, PlainOneNeedsNoUnicode) {
-  const std::vector<ResultRow> rows = fake_rows(60);
-  const TableHead head = table_head({});
-  const std::string chart = life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii);
-  EXPECT_TRUE(is_ascii(chart));
-  EXPECT_THAT(chart, HasSubstr("O"));
-}
-
-TEST(LifeChart, EverySpeedOfOneSweepFitsTheDrawing) {
-  for (const std::size_t count : {2U, 3U, 12U, 500U}) {
-    const std::vector<ResultRow> rows = fake_rows(count);
-    const TableHead head = table_head({});
-    const std::string chart = life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii);
-    std::istringstream lines(chart);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 90U) << line;
-  }
-}
-
-TEST(LifeChart, OnePointOrNoneIsReportedInWords) {
-  const TableHead head = table_head({});
-  EXPECT_THAT(life_chart(head, fake_rows(1), grid_peak(head, fake_rows(1)), Glyphs::ascii),
+  EXPECT_THAT(peak_text(head, fake_rows(1), grid_peak(head, fake_rows(1))),
               ::testing::StartsWith("longest life: "));
-  EXPECT_EQ(life_chart(head, {}, {}, Glyphs::ascii), "longest life: no point has one\n");
-}
-
-TEST(LifeChart, GlyphsFollowTheLocaleInItsOrder) {
-  const auto glyphs = [](const char* all, const char* lang) {
-    setenv("LC_ALL", all, 1);
-    unsetenv("LC_CTYPE");
-    setenv("LANG", lang, 1);
-    return glyphs_of_locale();
-  };
-  EXPECT_EQ(glyphs("C", "de_DE.UTF-8"), Glyphs::ascii);
-  EXPECT_EQ(glyphs("", "de_DE.UTF-8"), Glyphs::braille);
-  EXPECT_EQ(glyphs("C.utf8", "C"), Glyphs::braille);
-  EXPECT_EQ(glyphs("", ""), Glyphs::ascii);
-  unsetenv("LC_ALL");
-  unsetenv("LANG");
+  EXPECT_EQ(peak_text(head, {}, {}), "longest life: no point has one\n");
 }
 
 TEST(SweepTable, ShowsUnitsAndTheReasonOfAFailure) {
@@ -203,4 +118,4 @@ TEST(Progress, PaceIsThatOfEachMotion) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::terminal_test
+}  // namespace orbearing::app::sweep_table_test
