@@ -156,16 +156,16 @@ int run_analysis(const ResolvedCase& resolved, const ResultPlace& place, const P
                  const Analysis& analysis) {
   const std::vector<std::string> unused = require_used(resolved, analysis.used);
   return compute_and_keep(resolved, place, print, analysis.names, [&] {
-    Wanted wanted{.files = !place.folder.empty()};
+    AnalysisOptions options{.files = !place.folder.empty()};
     std::optional<Progress> bar;
     if (analysis.doing != nullptr) {
       bar.emplace(std::size_t{0}, analysis.parts, !print.quiet, analysis.doing,
                   analysis.simulated != nullptr ? analysis.simulated(resolved) : 0.0);
-      wanted.progress = [&](double share) {
+      options.progress = [&](double share) {
         bar->show(static_cast<std::size_t>(share * static_cast<double>(analysis.parts)));
       };
     }
-    AnalysisResult result = analysis.compute(resolved, wanted);
+    AnalysisResult result = analysis.compute(resolved, options);
     result.warnings = joined(unused, result.warnings);
     return result;
   });
