@@ -23,7 +23,7 @@ struct AnalysisResult {
 };
 
 /// Options of a caller besides the result.
-struct Wanted {
+struct AnalysisOptions {
   std::function<void(double)> progress{};  // gets the share done
   bool files = false;                      // those of the folder
 };

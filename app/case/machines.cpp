@@ -13,7 +13,7 @@ namespace orbearing::app {
 namespace {
 
 template <class Row>
-AnalysisResult computed(const ResolvedCase& in, const Wanted&) {
+AnalysisResult computed(const ResolvedCase& in, const AnalysisOptions&) {
   using Inputs = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
   const auto found = Row::analyse(machine_of<Inputs>(in));
   AnalysisResult result;

@@ -19,7 +19,7 @@ struct MachineAnalysis {
   std::string other_fidelity;
   ResultNames names;
   double scatter;
-  AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);
+  AnalysisResult (*compute)(const ResolvedCase&, const AnalysisOptions&);
 };
 const std::vector<MachineAnalysis>& machine_analyses();
 /// Analysis of a command; null where the model has none, or is not a machine.

@@ -1,3 +1,5 @@
+#include "app/commands/carrier.hpp"
+
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -6,12 +8,12 @@
 
 namespace orbearing::app {
 
-int carrier_command(const Options& options) {
-  const ResolvedCase resolved = point_of(options);
+int execute(const CarrierOptions& options) {
+  const ResolvedCase resolved = point_of(options.stated);
   require_carrier(resolved);
   const std::vector<std::string> unused = require_used(resolved, use::carrier);  // refuses before it computes
   const Record record = record_of(carrier_study(resolved));
-  present_record(resolved, record, joined(unused, gear_warnings(resolved)), options);
+  present_record(resolved, record, joined(unused, gear_warnings(resolved)), options.print);
   return 0;
 }
 

@@ -1,3 +1,5 @@
+#include "app/commands/check.hpp"
+
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -75,8 +77,8 @@ void describe_governing_life(Record& record, const ResolvedCase& resolved) {
 
 }  // namespace
 
-int check_command(const Options& options) {
-  const ResolvedCase resolved = case_of(options);
+int execute(const CheckOptions& options) {
+  const ResolvedCase resolved = case_of(options.stated);
   auto [derived, warnings, has_power] = check(resolved);
   warnings = joined(warnings, default_warnings(resolved, derived), inferred_warnings(resolved),
                     uncertain_warnings(resolved), former_key_warnings(resolved), idle_inputs(resolved));
@@ -84,7 +86,7 @@ int check_command(const Options& options) {
                    or_reason("simulation", [&] { return motion_time_quantities(resolved); }));
   // A quantity that the case states as a check is listed among its inputs.
   std::erase_if(derived, [&](const Derived& row) { return resolved.has(row.path); });
-  if (options.json) {
+  if (options.print.json) {
     Record record;
     describe_check(record, resolved, derived);
     if (has_power) describe_power(record, resolved);
@@ -94,10 +96,10 @@ int check_command(const Options& options) {
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = warnings;
     object["units"] = check_units(resolved, derived);
-    print_result(std::move(object), record, options);
+    print_result(std::move(object), record, options.print);
     return 0;
   }
-  if (options.quiet) return 0;
+  if (options.print.quiet) return 0;
   fmt::print("{}", check_table(resolved, derived));
   if (has_power) {
     Record power;

@@ -1,3 +1,5 @@
+#include "app/commands/crown.hpp"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -28,8 +30,8 @@ std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study, con
                      study.failed == 0 ? "ok" : "some points found no static equilibrium");
 }
 
-CrownStudy computed(const CrownRequest& request, const Options& options) {
-  Progress progress(0, grid_size(request), !options.quiet);
+CrownStudy computed(const CrownRequest& request, const CrownOptions& options) {
+  Progress progress(0, grid_size(request), !options.print.quiet);
   std::mutex one_at_a_time;
   return crown_study(request, options.jobs, [&](std::size_t done) {
     const std::scoped_lock lock(one_at_a_time);
@@ -38,20 +40,20 @@ CrownStudy computed(const CrownRequest& request, const Options& options) {
 }
 
 // A spectrum uses the speeds of a sweep and no other swept values.
-std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownOptions& options) {
-  const bool spectrum = options.spectrum || !options.shares.empty();
+std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownChoices& choices) {
+  const bool spectrum = choices.spectrum || !choices.shares.empty();
   return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
 }
 
-nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
+nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownChoices& choices,
                                    const std::vector<std::string>& noted, const CrownStudy& study,
                                    const Record& record) {
-  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
+  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", choices_json(choices)}};
   object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
   object["warnings"] = joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
                               overturning_warnings(resolved.without_sweep()), clearance_warnings(resolved),
-                              require_crown_uses(resolved, options));
+                              require_crown_uses(resolved, choices));
   object["versions"] = versions_json();
   object["units"] = units_of(record);
   return object;
@@ -59,28 +61,31 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
 
 }  // namespace
 
-int crown_command(const Options& options) {
-  require_output(options);
-  const ResolvedCase given = case_of(options);
-  const auto [resolved, noted] = crown_case(given, options.crown);
-  const CrownRequest request = crown_request(resolved, options.crown);
-  require_crown_uses(resolved, options.crown);
-  const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
+std::vector<std::string> problems(const CrownOptions& options) {
+  return problems(ResultPlace{options.output, options.resume}, options.print);
+}
+
+int execute(const CrownOptions& options) {
+  const ResolvedCase given = case_of(options.stated);
+  const auto [resolved, noted] = crown_case(given, options.choices);
+  const CrownRequest request = crown_request(resolved, options.choices);
+  require_crown_uses(resolved, options.choices);
+  const ManifestHeader header = manifest_header(resolved, choices_text(options.choices));
   ResultFolder folder =
-      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.print.quiet);
   const fs::path file = fs::path(options.output) / crown_file_name;
   CrownResult result;
   if (folder.finished().contains(0) && fs::exists(file)) {
     result = read_crown(options.output);
   } else {
     CrownStudy study = computed(request, options);
-    put_lives_in_run(given, options.crown.of_set, options.jobs, study);
+    put_lives_in_run(given, options.choices.of_set, options.jobs, study);
     const std::string warning = warning_of_recommended(study);
     if (!warning.empty()) study.warnings.insert(study.warnings.begin(), warning);
     Record record;
     describe(record, study);
-    if (options.take_record) options.take_record(record);
-    result = {result_json(resolved, options.crown, noted, study, record),
+    if (options.print.to.record) options.print.to.record(record);
+    result = {result_json(resolved, options.choices, noted, study, record),
               text_of(record) + text_in_run(study), study.failed};
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {
@@ -89,11 +94,11 @@ int crown_command(const Options& options) {
     }
     folder.keep({{0, netcdf_of(header, study, record), row_of_values(folder.head()), std::move(others)}});
   }
-  present_result(result.object, result.text, options);
+  present_result(result.object, result.text, options.print);
   if (result.failed == 0) return 0;
   print_failures(fmt::format("crown: {} points found no static equilibrium; their status gives the reason",
                              result.failed),
-                 options);
+                 options.print);
   return 1;
 }
 

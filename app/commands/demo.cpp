@@ -1,3 +1,5 @@
+#include "app/commands/demo.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,6 +8,8 @@
 
 #include "app/case/printable.hpp"
 #include "app/commands/presentation.hpp"
+#include "app/commands/report.hpp"
+#include "app/commands/sweep.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
 
@@ -33,31 +37,25 @@ void require_new_or_empty(const fs::path& folder) {
     throw BadInput(printable(folder.string()) + ": is not empty; a new or empty folder is required");
 }
 
-Options in_folder(const std::string& folder, Json& result) {
-  Options options;
-  options.json = options.quiet = true;
-  options.take_result = [&result](const Json& object) { result = object; };
-  options.case_file = (shipped_cases() / "reducer_150kW" / "case.yaml").string();
-  options.output = folder;
-  options.folders = {folder};
-  return options;
+Printing taken_into(Json& result) {
+  return {.json = true, .quiet = true, .to = {.result = [&result](const Json& object) { result = object; }}};
 }
 
-Json summary(const Options& of_case, const Json& sweep, const Json& report) {
+Json summary(const SweepOptions& of_case, const Json& sweep, const Json& report) {
   const Json& peak = sweep.at("peak");
   Json units = Json::object();
   for (const auto& [key, unit] : sweep.at("units").items())
     if (peak.contains(key)) units[key] = unit;
-  return {{"case", of_case.case_file},           {"folder", of_case.output},
+  return {{"case", of_case.stated.file},         {"folder", of_case.output},
           {"report", report.at("report")},       {"peak", peak},
           {"points", sweep.at("points").size()}, {"units", units}};
 }
 
-void print_beginning(const Options& of_case) {
+void print_beginning(const SweepOptions& of_case) {
   fmt::print(
       "Demo: planet bearings of a 150 kW reducer. Life over speed at constant power, quasi-static, and a "
       "report.\nIt takes about 10 s.\n\ncase:    {}\n",
-      of_case.case_file);
+      of_case.stated.file);
   std::fflush(stdout);  // before the work that it announces
 }
 
@@ -83,17 +81,19 @@ void print_end(const Json& result, const Json& sweep) {
 
 }  // namespace
 
-int demo_command(const Options& options) {
+int execute(const DemoOptions& options) {
   Json sweep, report;
   const std::string folder = options.output.empty() ? free_folder() : options.output;
   require_new_or_empty(folder);
-  const Options of_sweep = in_folder(folder, sweep), of_report = in_folder(folder, report);
-  const bool text = !options.json && !options.quiet;
+  const std::string file = (shipped_cases() / "reducer_150kW" / "case.yaml").string();
+  const SweepOptions of_sweep{.print = taken_into(sweep), .stated = {.file = file}, .output = folder};
+  const ReportOptions of_report{.print = taken_into(report), .folder = folder};
+  const bool text = !options.print.json && !options.print.quiet;
   if (text) print_beginning(of_sweep);
-  if (const int code = sweep_command(of_sweep); code != 0) return code;
-  if (const int code = report_command(of_report); code != 0) return code;
+  if (const int code = execute(of_sweep); code != 0) return code;
+  if (const int code = execute(of_report); code != 0) return code;
   const Json result = summary(of_sweep, sweep, report);
-  if (options.json) print_object(result, options);
+  if (options.print.json) print_object(result, options.print);
   if (text) print_end(result, sweep);
   return 0;
 }

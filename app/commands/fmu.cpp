@@ -1,3 +1,5 @@
+#include "app/commands/fmu.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -28,7 +30,7 @@ void require_file_name(const fs::path& file) {
     throw BadInput("--output: found '" + file.string() + "'; required: a file that ends with .fmu or .ssp");
 }
 
-fmu::DescriptionOptions description_options(const ResolvedCase& resolved, const Options& options) {
+fmu::DescriptionOptions description_options(const ResolvedCase& resolved, const FmuOptions& options) {
   fmu::DescriptionOptions out;
   out.interface = options.fmi == "3" ? fmu::Interface::fmi3 : fmu::Interface::fmi2;
   out.name = resolved.text("name") + (options.model == "gearset" ? ", gear set" : ", planet bearing");
@@ -51,8 +53,8 @@ struct Outcome {
   std::vector<std::string> warnings;
 };
 
-void present(const ResolvedCase& resolved, const Options& options, const Outcome& outcome) {
-  if (options.json) {
+void present(const ResolvedCase& resolved, const FmuOptions& options, const Outcome& outcome) {
+  if (options.print.json) {
     Record record;
     record.value("case", "name", resolved.text("name"));
     record.value("file", "that was written", options.output);
@@ -68,10 +70,10 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
     object["assumptions"] = assumptions_json(resolved);
     object["warnings"] = outcome.warnings;
     object["versions"] = versions_json();
-    print_result(std::move(object), record, options);
+    print_result(std::move(object), record, options.print);
     return;
   }
-  if (options.quiet) return;
+  if (options.print.quiet) return;
   fmt::print("{}: FMI {}.0, model {}, {} inputs, {} outputs, {} parameters, for {}\n", options.output,
              options.fmi, options.model, outcome.inputs, outcome.outputs, outcome.parameters,
              fmt::join(outcome.platforms, " and "));
@@ -112,18 +114,17 @@ void write_fmu(const fs::path& file, const std::string& content) {
   }
 }
 
-// A system of both FMUs and their parameters; written by the Python part.
-int write_system(const Options& options) {
-  if (options.fmi != "2" || options.model != "bearing")
-    throw BadInput(fmt::format(
-        "--output: found '{}' together with {}; required: no such option, since a package of SSP 1.0 holds "
-        "the gear set and the bearing, by FMI 2.0",
-        options.fmi != "2" ? "--fmi " + options.fmi : "--model " + options.model, options.output));
-  std::vector<std::string> words{options.case_file, "--output", options.output};
-  for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});
+// Whether a system of both FMUs and their parameters is to be written, which the Python part does.
+bool is_of_system(const FmuOptions& options) {
+  return fs::path(options.output).extension() == ".ssp" && !options.stated.given;
+}
+
+int write_system(const FmuOptions& options) {
+  std::vector<std::string> words{options.stated.file, "--output", options.output};
+  for (const std::string& setting : options.stated.settings) words.insert(words.end(), {"--set", setting});
   if (options.windows) words.push_back("--windows");
-  if (options.json) words.push_back("--json");
-  if (options.quiet) words.push_back("--quiet");
+  if (options.print.json) words.push_back("--json");
+  if (options.print.quiet) words.push_back("--quiet");
   const int code = run_python("orbearing.ssp", words);
   if (code == not_started)
     throw ComputationFailed(
@@ -134,11 +135,22 @@ int write_system(const Options& options) {
 
 }  // namespace
 
-int fmu_command(const Options& options) {
+std::vector<std::string> problems(const FmuOptions& options) {
+  const std::string other = options.fmi != "2"           ? "--fmi " + options.fmi
+                            : options.model != "bearing" ? "--model " + options.model
+                                                         : "";
+  if (!is_of_system(options) || other.empty()) return {};
+  return {fmt::format(
+      "--output: found '{}' together with {}; required: no such option, since a package of SSP 1.0 holds "
+      "the gear set and the bearing, by FMI 2.0",
+      other, options.output)};
+}
+
+int execute(const FmuOptions& options) {
+  if (is_of_system(options)) return write_system(options);
   const fs::path file = options.output;
-  if (file.extension() == ".ssp" && !options.given) return write_system(options);
   require_file_name(file);
-  const ResolvedCase resolved = point_of(options);
+  const ResolvedCase resolved = point_of(options.stated);
   const std::vector<std::string> unused =
       require_used(resolved, options.model == "gearset" ? use::fmu_gearset : use::fmu_bearing);
   const fmu::NumberTable numbers =
@@ -146,7 +158,7 @@ int fmu_command(const Options& options) {
   require_folder_of(file);
   const fmu::DescriptionOptions description = description_options(resolved, options);
   const std::vector<FmuLibrary> libraries =
-      fmu_libraries(numbers, description.interface, options.windows, options.quiet);
+      fmu_libraries(numbers, description.interface, options.windows, options.print.quiet);
   const std::string content = fmu_content(numbers, description, libraries);
   write_fmu(file, content);
   const fmu::ModelFacts facts = fmu::facts_of(numbers);

@@ -88,16 +88,16 @@ void add_numbers(const std::string& prefix, const nlohmann::ordered_json& object
 
 }  // namespace
 
-int compute_and_keep(const ResolvedCase& resolved, const Options& options, const ResultNames& names,
-                     const std::function<AnalysisResult()>& compute) {
+int compute_and_keep(const ResolvedCase& resolved, const ResultPlace& place, const Printing& print,
+                     const ResultNames& names, const std::function<AnalysisResult()>& compute) {
   const ManifestHeader header = manifest_header(resolved, names.name);
   ResultFolder folder =
-      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+      open_results(place.folder, header, write_resolved(resolved), place.resume, print.quiet);
   AnalysisResult result = compute();
   const Shown shown = shown_of(resolved, result);
   const std::vector<AssumedEffect> effects = effects_of(resolved, names);
   const nlohmann::ordered_json object = whole_json(resolved, result, effects, shown.json);
-  if (options.take_record) options.take_record(result.record);
+  if (print.to.record) print.to.record(result.record);
   if (!folder.finished().contains(0)) {
     std::map<std::string, std::string> others;
     if (!folder.path().empty()) others = write_files(folder.path(), names, result, object);
@@ -105,14 +105,14 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
     folder.keep({{0, result_file(header, names.title, result.record, result.status),
                   row_of_values(folder.head(), result.row), std::move(others)}});
   }
-  present_result(object, shown.text + assumed_effects_text(resolved, effects), options);
+  present_result(object, shown.text + assumed_effects_text(resolved, effects), print);
   return result.failed ? 1 : 0;
 }
 
-void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options) {
-  if (options.json) {
-    print_object(object, options);
-  } else if (!options.quiet) {
+void present_result(const nlohmann::ordered_json& object, const std::string& text, const Printing& print) {
+  if (print.json) {
+    print_object(object, print);
+  } else if (!print.quiet) {
     // Before a text that may be longer than a screen: results are read with them.
     for (const nlohmann::ordered_json& warning : object.at("warnings"))
       fmt::print("warning: {}\n", printable(warning.get<std::string>()));
@@ -132,14 +132,14 @@ std::string result_file(const ManifestHeader& header, const char* what, const Re
 }
 
 void present_record(const ResolvedCase& resolved, const Record& record,
-                    const std::vector<std::string>& warnings, const Options& options,
+                    const std::vector<std::string>& warnings, const Printing& print,
                     const std::string& more) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}};
   object.update(json_of(record));
   object["warnings"] = warnings;
   object["units"] = units_of(record);
-  if (options.take_record) options.take_record(record);
-  present_result(object, text_of(record) + more, options);
+  if (print.to.record) print.to.record(record);
+  present_result(object, text_of(record) + more, print);
 }
 
 ResultRow row_of_values(const TableHead& head, const std::vector<std::pair<std::string, double>>& values) {
@@ -152,19 +152,20 @@ ResultRow row_of_values(const TableHead& head, const std::vector<std::pair<std::
   return row;
 }
 
-int run_analysis(const ResolvedCase& resolved, const Options& options, const Analysis& analysis) {
+int run_analysis(const ResolvedCase& resolved, const ResultPlace& place, const Printing& print,
+                 const Analysis& analysis) {
   const std::vector<std::string> unused = require_used(resolved, analysis.used);
-  return compute_and_keep(resolved, options, analysis.names, [&] {
-    Wanted wanted{.files = !options.output.empty()};
+  return compute_and_keep(resolved, place, print, analysis.names, [&] {
+    AnalysisOptions options{.files = !place.folder.empty()};
     std::optional<Progress> bar;
     if (analysis.doing != nullptr) {
-      bar.emplace(std::size_t{0}, analysis.parts, !options.quiet, analysis.doing,
+      bar.emplace(std::size_t{0}, analysis.parts, !print.quiet, analysis.doing,
                   analysis.simulated != nullptr ? analysis.simulated(resolved) : 0.0);
-      wanted.progress = [&](double share) {
+      options.progress = [&](double share) {
         bar->show(static_cast<std::size_t>(share * static_cast<double>(analysis.parts)));
       };
     }
-    AnalysisResult result = analysis.compute(resolved, wanted);
+    AnalysisResult result = analysis.compute(resolved, options);
     result.warnings = joined(unused, result.warnings);
     return result;
   });

@@ -1,3 +1,5 @@
+#include "app/commands/merge.hpp"
+
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
@@ -27,20 +29,22 @@ void require_able_to_refine(const std::vector<std::filesystem::path>& shards) {
 
 }  // namespace
 
-int merge_command(const Options& options) {
-  if (!options.settings.empty())
-    throw BadInput("--set: " + options.settings.front() +
-                   ": found with merge; required: set it in the sweeps of all shards");
-  const std::vector<std::filesystem::path> shards(options.folders.begin(), options.folders.end());
+std::vector<std::string> problems(const MergeOptions& options) {
+  if (options.settings.empty()) return {};
+  return {"--set: " + options.settings.front() +
+          ": found with merge; required: set it in the sweeps of all shards"};
+}
+
+int execute(const MergeOptions& options) {
+  const std::vector<std::filesystem::path> shards(options.shards.begin(), options.shards.end());
   if (!options.grid_only) require_able_to_refine(shards);
   const SweepOutcome grid = merge_shards(shards, options.output, options.grid_only);
   const ResolvedCase resolved = read_case(options.output + "/case.resolved.yaml");
-  if (!grid.header.refined) return present_sweep(resolved, grid, options);
+  if (!grid.header.refined) return present_sweep(resolved, grid, options.print);
   SweepRequest request = sweep_request(resolved, grid.header.fidelity);
   refine_peak_of(resolved, request);
-  put_options(options, request);
-  request.resume = true;
-  return present_sweep(resolved, run_sweep(request), options);
+  put_execution({options.output, true}, options.jobs, options.print, request);
+  return present_sweep(resolved, run_sweep(request), options.print);
 }
 
 }  // namespace orbearing::app

@@ -1,3 +1,5 @@
+#include "app/commands/mesh.hpp"
+
 #include "app/case/machines.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
@@ -7,15 +9,15 @@
 
 namespace orbearing::app {
 
-int mesh_command(const Options& options) {
-  const ResolvedCase resolved = point_of(options);
+int execute(const MeshOptions& options) {
+  const ResolvedCase resolved = point_of(options.stated);
   const MachineAnalysis* of_machine = machine_analysis(resolved.model(), "mesh");
   // Refuses before it computes.
   const std::vector<std::string> unused =
       require_used(resolved, of_machine != nullptr ? of_machine->used : use::mesh);
   const MeshStudy study = mesh_study(resolved);
   present_record(resolved, record_of(study),
-                 joined(study.warnings, judge(observations(resolved)).warnings, unused), options);
+                 joined(study.warnings, judge(observations(resolved)).warnings, unused), options.print);
   return 0;
 }
 

@@ -1,3 +1,5 @@
+#include "app/commands/modes.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +20,9 @@ namespace orbearing::app {
 
 namespace {
 
+// [rad/s]  0 where none is stated.
 double speed_option(const std::string& text) {
+  if (text.empty()) return 0.0;
   const Reading<double> speed = read_quantity(text, dimension::angular_speed);
   if (speed.value && *speed.value >= 0.0) return *speed.value;
   throw BadInput("--speed: found '" + text + "'" + (speed.value ? "" : ": " + speed.fault) +
@@ -34,25 +38,25 @@ ResolvedCase with_speed(const ResolvedCase& resolved, const std::string& path, c
 
 // The stationary set, or the set rotating at a speed of its driven member (of its carrier where it has no
 // teeth).
-gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options& options) {
-  const double speed = options.speed ? speed_option(*options.speed) : 0.0;
+gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const std::string& stated) {
+  const double speed = speed_option(stated);
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
     return gear_model_of(resolved, speed);
-  return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
+  return gear_model_of(with_speed(resolved, "input.speed", stated));
 }
 
 // Natural frequencies of stationary gears without a bearing depend on neither power nor speed, which a case
 // may then leave out: any values replace them.
-ResolvedCase point_for_modes(const Options& options) try {
-  return point_of(options);
+ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
+  return point_of(stated);
 } catch (const BadInput& error) {
   const auto is_of_the_drive = [](const std::string& message) {
     return message.find(": input.power: missing") != std::string::npos ||
            message.find(": input.speed: missing") != std::string::npos ||
            message.find(": input.member: missing") != std::string::npos;
   };
-  if (options.given || options.speed || !std::ranges::all_of(error.messages, is_of_the_drive)) throw;
-  Options driven = options;
+  if (stated.given || turns || !std::ranges::all_of(error.messages, is_of_the_drive)) throw;
+  StatedCase driven = stated;
   for (const auto& [path, value] :
        {std::pair("input.power", "1 kW"), {"input.speed", "1000 rpm"}, {"input.member", "sun"}})
     if (std::ranges::any_of(error.messages, [&](const std::string& message) {
@@ -64,26 +68,27 @@ ResolvedCase point_for_modes(const Options& options) try {
   return resolved;
 }
 
-int duplex_modes(const ResolvedCase& resolved, const Options& options) {
+int duplex_modes(const ResolvedCase& resolved, const Printing& print) {
   const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
   const PairPoint point = pair_point(resolved);
   const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
   Record record = record_of(point);
   if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
-  present_record(resolved, record, joined(unused, point.warnings), options);
+  present_record(resolved, record, joined(unused, point.warnings), print);
   return std::ranges::any_of(over_speed, [](const PairAtSpeed& one) { return !one.modes; }) ? 1 : 0;
 }
 
 }  // namespace
 
-int modes_command(const Options& options) {
-  const ResolvedCase resolved = point_for_modes(options);
+int execute(const ModesOptions& options) {
+  const bool turns = !options.speed.empty();
+  const ResolvedCase resolved = point_for_modes(options.stated, turns);
   if (is_duplex(resolved))
-    return duplex_modes(
-        options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);
-  const double speed = options.speed ? speed_option(*options.speed) : 0.0;
+    return duplex_modes(turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
+                        options.print);
+  const double speed = speed_option(options.speed);
   if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
-  const gearset::dynamics::SetModel model = model_at(resolved, options);
+  const gearset::dynamics::SetModel model = model_at(resolved, options.speed);
   std::vector<std::string> warnings =
       joined(gear_dynamics_warnings(resolved),
              require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes));
@@ -100,7 +105,7 @@ int modes_command(const Options& options) {
         .child("campbell", "frequencies over speed", model,
                [&](Record& diagram, const auto& of) { describe_campbell(diagram, of, speed); })
         .detail = true;
-  present_record(resolved, record, warnings, options);
+  present_record(resolved, record, warnings, options.print);
   return 0;
 }
 

@@ -1,3 +1,5 @@
+#include "app/commands/new_case.hpp"
+
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <unistd.h>
@@ -35,18 +37,18 @@ void make_file(const std::string& name, const std::string& content) {
 
 }  // namespace
 
-int new_command(const Options& options) {
+int execute(const NewOptions& options) {
   const CaseTemplate chosen = case_template(options.template_name);
-  make_file(options.output, chosen.text);
-  if (options.json)
+  make_file(options.file, chosen.text);
+  if (options.print.json)
     print_object({{"template", chosen.name},
-                  {"file", options.output},
+                  {"file", options.file},
                   {"title", chosen.title},
                   {"purpose", chosen.purpose},
                   {"units", nlohmann::ordered_json::object()}},
-                 options);
-  else if (!options.quiet)
-    fmt::print("{}: {}\n", printable(options.output), chosen.title);
+                 options.print);
+  else if (!options.print.quiet)
+    fmt::print("{}: {}\n", printable(options.file), chosen.title);
   return 0;
 }
 

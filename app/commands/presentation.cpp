@@ -26,34 +26,34 @@
 
 namespace orbearing::app {
 
-ResolvedCase case_of(const Options& options) {
-  return options.given ? *options.given : read_case(options.case_file, options.settings);
+ResolvedCase case_of(const StatedCase& stated) {
+  return stated.given ? *stated.given : read_case(stated.file, stated.settings);
 }
 
-ResolvedCase point_of(const Options& options) {
-  return options.given ? options.given->without_sweep() : read_point(options.case_file, options.settings);
+ResolvedCase point_of(const StatedCase& stated) {
+  return stated.given ? stated.given->without_sweep() : read_point(stated.file, stated.settings);
 }
 
-void print_object(const nlohmann::ordered_json& object, const Options& options) {
-  if (options.take_result)
-    options.take_result(object);
+void print_object(const nlohmann::ordered_json& object, const Printing& print) {
+  if (print.to.result)
+    print.to.result(object);
   else
     fmt::print("{}\n", object.dump(2));
 }
 
-void print_result(nlohmann::ordered_json object, const Record& record, const Options& options) {
-  if (options.take_record) options.take_record(record);
+void print_result(nlohmann::ordered_json object, const Record& record, const Printing& print) {
+  if (print.to.record) print.to.record(record);
   object["units"].update(units_of(record));
-  print_object(object, options);
+  print_object(object, print);
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print("warning: {}\n", printable(warning));
 }
 
-void print_failures(const std::string& line, const Options& options) {
-  if (options.take_failures)
-    options.take_failures(line);
+void print_failures(const std::string& line, const Printing& print) {
+  if (print.to.failures)
+    print.to.failures(line);
   else
     print_to_standard_error("{}\n", line);
 }
@@ -96,30 +96,30 @@ nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
 
 }  // namespace
 
-PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
+PlannedSweep plan_sweep(const ResolvedCase& resolved, const SweepLimits& limits,
                         const std::function<SweepRequest(const ResolvedCase&)>& request_of) {
-  if (options.budget) {
-    budget_option(*options.budget);
-    require_motion_for_budget(options.fidelity);
+  const bool budgeted = !limits.budget.empty();
+  if (budgeted) {
+    budget_option(limits.budget);
+    require_motion_for_budget(limits.fidelity);
   }
   PlannedSweep plan{resolved, request_of(resolved)};
   std::optional<MotionEstimate> estimate;
-  if (options.budget || !options.quiet)
-    estimate = motion_estimate(resolved, plan.request, options.budget.has_value());
+  if (budgeted || !limits.quiet) estimate = motion_estimate(resolved, plan.request, budgeted);
   if (!estimate) return plan;
   study::MotionWindows windows = estimate->stated;
-  if (options.budget) {
-    if (std::optional<BudgetedCase> budgeted = within_budget(resolved, *estimate, *options.budget)) {
-      plan = {budgeted->resolved, request_of(budgeted->resolved)};
-      windows = budgeted->windows;
-      if (!options.quiet) print_to_standard_error("{}\n", budgeted->chosen);
+  if (budgeted) {
+    if (std::optional<BudgetedCase> found = within_budget(resolved, *estimate, limits.budget)) {
+      plan = {found->resolved, request_of(found->resolved)};
+      windows = found->windows;
+      if (!limits.quiet) print_to_standard_error("{}\n", found->chosen);
     }
   }
-  if (options.quiet) return plan;
+  if (limits.quiet) return plan;
   plan.request.work = estimate->work(windows);
   const double beyond =
       estimate->seconds(windows) - std::accumulate(plan.request.work.begin(), plan.request.work.end(), 0.0);
-  plan.request.announce = [beyond, added = estimate->added.size(), jobs = options.jobs,
+  plan.request.announce = [beyond, added = estimate->added.size(), jobs = limits.jobs,
                            one = plan.request.header.continued.has_value() ||
                                  plan.request.points.size() == 1](double seconds, std::size_t missing) {
     const auto threads = static_cast<int>(study::threads_for(missing + added, one ? 1 : jobs));
@@ -129,14 +129,14 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
   return plan;
 }
 
-void put_options(const Options& options, SweepRequest& request) {
-  request.folder = options.output;
-  request.jobs = options.jobs;
-  request.resume = options.resume;
-  request.quiet = options.quiet;
-  if (options.take_point)
-    request.take_row = [&options](const TableHead& head, const ResultRow& row) {
-      options.take_point(row_json(head, row));
+void put_execution(const ResultPlace& place, int jobs, const Printing& print, SweepRequest& request) {
+  request.folder = place.folder;
+  request.jobs = jobs;
+  request.resume = place.resume;
+  request.quiet = print.quiet;
+  if (print.to.point)
+    request.take_row = [&take = print.to.point](const TableHead& head, const ResultRow& row) {
+      take(row_json(head, row));
     };
 }
 
@@ -206,14 +206,14 @@ void add_found_before(const FoundBefore& before, nlohmann::ordered_json& object)
 
 }  // namespace
 
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options,
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Printing& print,
                   const FoundBefore& before) {
-  if (options.json) {
+  if (print.json) {
     Record form;
     nlohmann::ordered_json object = sweep_object(resolved, outcome, form);
     add_found_before(before, object);
-    print_result(std::move(object), form, options);
-  } else if (!options.quiet) {
+    print_result(std::move(object), form, print);
+  } else if (!print.quiet) {
     const FoundPeak found = find_peak(outcome);
     if (before.record != nullptr) fmt::print("{}\n", text_of(*before.record));
     if (resolved.axes().empty() && outcome.rows.size() == 1 && outcome.header.fidelity != "quasi-static")
@@ -231,7 +231,7 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
   if (outcome.failed == 0) return 0;
   print_failures(fmt::format("{} of {} points failed; their rows say why, the first: {}", outcome.failed,
                              points_of(outcome), first_failure(outcome)),
-                 options);
+                 print);
   return 1;
 }
 

@@ -1,3 +1,5 @@
+#include "app/commands/report.hpp"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -42,12 +44,12 @@ void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
 }
 
 // Numbers whose page could not be drawn are taken back.
-void draw_page(const fs::path& folder, const Options& options) {
+void draw_page(const fs::path& folder, const ReportOptions& options) {
   std::error_code ignored;
   std::vector<std::string> words{folder.string(), "--program", fs::read_symlink("/proc/self/exe", ignored)};
   if (options.every_effect) words.push_back("--every-effect");
   if (options.pdf) words.push_back("--pdf");
-  if (options.quiet) words.push_back("--quiet");
+  if (options.print.quiet) words.push_back("--quiet");
   const int code = run_python("orbearing.report", words);
   if (code == 0) return;
   fs::remove(folder / data_name, ignored);
@@ -62,7 +64,7 @@ void draw_page(const fs::path& folder, const Options& options) {
 // Data of a crowning study: its result and the additional data of its figures.
 nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& folder) {
   const CrownResult stored = read_crown(folder);
-  const CrownRequest request = crown_request(resolved, options_from(stored.object.at("options")));
+  const CrownRequest request = crown_request(resolved, choices_from(stored.object.at("options")));
   return {{"crown", stored.object}, {"figures", crown_figures(resolved, request, stored.object)}};
 }
 
@@ -73,8 +75,8 @@ nlohmann::ordered_json published_data(const fs::path& file, const char* name) {
 }
 
 nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& manifest,
-                                  const Options& options) {
-  const fs::path folder = options.folders.front();
+                                  const ReportOptions& options) {
+  const fs::path folder = options.folder;
   std::vector<Branch> branches{{folder, manifest}};
   if (!options.other.empty()) {
     branches.push_back({options.other, read_results(options.other)});
@@ -115,8 +117,8 @@ bool is_static_run(const ResolvedCase& resolved, const Manifest& manifest) {
 }
 
 nlohmann::ordered_json data_of(const ResolvedCase& resolved, const Manifest& manifest,
-                               const Options& options) {
-  const fs::path folder = options.folders.front();
+                               const ReportOptions& options) {
+  const fs::path folder = options.folder;
   if (is_defect(resolved)) return published_data(folder / defect_file_name, "defect");
   if (is_ball_run(resolved)) return published_data(folder / ball_file_name, "balls");
   if (is_static_run(resolved, manifest))
@@ -135,15 +137,17 @@ void require_lives(const fs::path& folder, const ResolvedCase& resolved) {
 
 }  // namespace
 
-int report_command(const Options& options) {
-  if (!options.settings.empty())
-    throw BadInput("--set: " + options.settings.front() +
-                   ": found with report; required: set it in the sweep");
-  const fs::path folder = options.folders.front();
+std::vector<std::string> problems(const ReportOptions& options) {
+  if (options.settings.empty()) return {};
+  return {"--set: " + options.settings.front() + ": found with report; required: set it in the sweep"};
+}
+
+int execute(const ReportOptions& options) {
+  const fs::path folder = options.folder;
   if (!options.bearing_points.empty()) {
     print_object(bearing_points(read_case((folder / "case.resolved.yaml").string()),
-                                nlohmann::ordered_json::parse(options.bearing_points), !options.quiet),
-                 options);
+                                nlohmann::ordered_json::parse(options.bearing_points), !options.print.quiet),
+                 options.print);
     return 0;
   }
   const Manifest manifest = read_results(folder);
@@ -168,20 +172,20 @@ int report_command(const Options& options) {
   nlohmann::ordered_json data = data_of(resolved, manifest, options);
   data["given"] = given_json(resolved);
   if (options.data_only) {
-    print_object(data, options);
+    print_object(data, options.print);
     return 0;
   }
   write_data(folder / data_name, data);
   draw_page(folder, options);
   nlohmann::ordered_json written{{"report", page.string()}};
   if (options.pdf) written["pdf"] = (folder / pdf_name).string();
-  if (options.json) {
+  if (options.print.json) {
     written["units"] = nlohmann::ordered_json::object();
-    print_object(written, options);
-  } else if (!options.quiet) {
+    print_object(written, options.print);
+  } else if (!options.print.quiet) {
     for (const auto& [what, file] : written.items()) fmt::print("{}\n", file.get<std::string>());
   }
-  if (!options.json && !options.quiet && data.contains("missing") && data["missing"].is_object())
+  if (!options.print.json && !options.print.quiet && data.contains("missing") && data["missing"].is_object())
     print_warnings({data["missing"]["text"].get<std::string>()});
   return 0;
 }

@@ -1,3 +1,5 @@
+#include "app/commands/sensitivities.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,13 +23,14 @@ namespace orbearing::app {
 namespace {
 
 // In the manifest: tables of different results or inputs do not continue in one folder.
-std::string name_of_table(const ScalarResult& result, const Options& options) {
+std::string name_of_table(const ScalarResult& result, const SensitivitiesOptions& options) {
   if (result.is_at_rest() && options.result.empty() && options.by.empty()) return "sensitivities";
-  return fmt::format("sensitivities of {}, {}, by {}", result.quantity, options.fidelity,
+  return fmt::format("sensitivities of {}, {}, by {}", result.quantity, fidelity_or_default(options.fidelity),
                      options.by.empty() ? "all inputs" : fmt::format("{}", fmt::join(options.by, ", ")));
 }
 
-void require_inputs(const ResolvedCase& resolved, const ScalarResult& result, const Options& options) {
+void require_inputs(const ResolvedCase& resolved, const ScalarResult& result,
+                    const SensitivitiesOptions& options) {
   if (options.by.empty() && !result.is_at_rest())
     throw BadInput("--by: missing; required: inputs, each of which takes two runs in motion");
   for (const std::string& path : options.by)
@@ -68,7 +71,7 @@ class KeptRuns {
 };
 
 Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& result,
-                           const ScalarResult::Value& here, const Options& options) {
+                           const ScalarResult::Value& here, const SensitivitiesOptions& options) {
   KeptRuns kept(result.is_at_rest() ? "" : options.output);
   std::optional<Progress> progress;
   return derivatives(
@@ -77,7 +80,7 @@ Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& res
        .jobs = options.jobs,
        .progress =
            [&](std::size_t done, std::size_t all) {
-             if (!progress) progress.emplace(std::size_t{0}, all, !options.quiet, "runs: ");
+             if (!progress) progress.emplace(std::size_t{0}, all, !options.print.quiet, "runs: ");
              progress->show(done);
            },
        .remember = [&](const auto& name, const auto& compute) { return kept.result(name, compute); }});
@@ -85,12 +88,13 @@ Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& res
 
 }  // namespace
 
-int sensitivities_command(const Options& options) {
-  if (options.resume && options.output.empty())
-    throw BadInput("--resume: found without --output; required: the folder to continue");
-  const ResolvedCase resolved = point_of(options);
-  const ScalarResult result =
-      scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
+std::vector<std::string> problems(const SensitivitiesOptions& options) {
+  return problems(ResultPlace{options.output, options.resume}, Printing{.json = true});
+}
+
+int execute(const SensitivitiesOptions& options) {
+  const ResolvedCase resolved = point_of(options.stated);
+  const ScalarResult result = scalar_result(resolved, options.fidelity, options.result);
   require_inputs(resolved, result, options);
   require_effect({resolved}, result.analysis, options.by);
   const std::vector<std::string> warnings =
@@ -98,7 +102,8 @@ int sensitivities_command(const Options& options) {
   const ScalarResult::Value here = value_here(resolved, result);
   const std::string table = name_of_table(result, options);
   const ResultNames names{table.c_str(), "sensitivities of a result", "sensitivities.json"};
-  return compute_and_keep(resolved, options, names, [&]() -> AnalysisResult {
+  const ResultPlace place{options.output, options.resume};
+  return compute_and_keep(resolved, place, options.print, names, [&]() -> AnalysisResult {
     const Derivatives found = derivatives_of(resolved, result, here, options);
     AnalysisResult described{.record = record_of(found), .warnings = warnings};
     described.files = {{"sensitivities.csv", derivatives_csv(found)}};

@@ -1,3 +1,5 @@
+#include "app/commands/signals.hpp"
+
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -229,7 +231,7 @@ std::filesystem::path signal_file(const ResultFolder& folder, std::size_t number
 }
 
 // The variations and the noise determine the signals as much as the case does.
-std::string grid_text(const Options& options, const std::vector<SignalAxis>& axes) {
+std::string grid_text(const SignalsOptions& options, const std::vector<SignalAxis>& axes) {
   std::string text = "signals";
   if (options.fidelity == "dynamic") text += ", all in motion";
   for (const SignalAxis& axis : axes)
@@ -261,7 +263,7 @@ Record form_of_labels(const ResolvedCase& resolved) {
 
 class SignalSet {
  public:
-  SignalSet(const ResolvedCase& resolved, const Options& options, const ManifestHeader& header,
+  SignalSet(const ResolvedCase& resolved, const SignalsOptions& options, const ManifestHeader& header,
             ResultFolder& folder, std::vector<SignalVariant> variants)
       : resolved_(resolved),
         options_(options),
@@ -279,7 +281,8 @@ class SignalSet {
       else
         missing.push_back(number);
     if (!folder_.path().empty()) std::filesystem::create_directories(folder_.path() / "signals");
-    Progress progress(variants_.size() - missing.size(), variants_.size(), !options_.quiet, "signals: ");
+    Progress progress(variants_.size() - missing.size(), variants_.size(), !options_.print.quiet,
+                      "signals: ");
     std::size_t done = variants_.size() - missing.size();
     std::mutex one_writer;
     const auto one = [&](std::size_t location) {
@@ -326,7 +329,7 @@ class SignalSet {
   }
 
   const ResolvedCase& resolved_;
-  const Options& options_;
+  const SignalsOptions& options_;
   const ManifestHeader& header_;
   ResultFolder& folder_;
   std::vector<SignalVariant> variants_;
@@ -345,20 +348,20 @@ void print_labels(const std::vector<Json>& labels) {
 
 }  // namespace
 
-void require_noise(const Options& options) {
+std::vector<std::string> problems(const SignalsOptions& options) {
   constexpr double most = 1e9;  // [m/s^2]
+  std::vector<std::string> found = problems(ResultPlace{options.output, options.resume}, options.print);
   if (!(options.noise >= 0.0 && options.noise <= most))
-    throw BadInput(fmt::format("--noise: found {}; required: 0 to 1e9 m/s2", options.noise));
-  if (options.noise == 0.0 && options.seed != Options{}.seed)
-    throw BadInput(
+    found.push_back(fmt::format("--noise: found {}; required: 0 to 1e9 m/s2", options.noise));
+  if (options.noise == 0.0 && options.seed != SignalsOptions{}.seed)
+    found.push_back(
         fmt::format("--seed: found {} without noise; required: --noise, whose random numbers it determines",
                     options.seed));
+  return found;
 }
 
-int signals_command(const Options& options) {
-  require_output(options);
-  require_noise(options);
-  const ResolvedCase resolved = point_of(options);
+int execute(const SignalsOptions& options) {
+  const ResolvedCase resolved = point_of(options.stated);
   if (!is_defect(resolved))
     throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
                                resolved.choice("model")));
@@ -368,21 +371,21 @@ int signals_command(const Options& options) {
   require_effect_of(axes, variants, resolved, analysis_of(resolved, options.fidelity)->used);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
   ResultFolder folder =
-      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.print.quiet);
   const std::vector<SignalVariant> compared = variants;
   SignalSet set(resolved, options, header, folder, std::move(variants));
   set.compute();
   for (std::string& text : axes_without_effect(axes, compared, set.labels()))
     warnings.push_back(std::move(text));
   if (!folder.path().empty()) write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
-  if (options.json) {
+  if (options.print.json) {
     Json object{{"case", resolved.text("name")},
                 {"signals", set.labels()},
                 {"assumptions", assumptions_json(resolved)},
                 {"warnings", warnings},
                 {"versions", versions_json()}};
-    print_result(std::move(object), form_of_labels(resolved), options);
-  } else if (!options.quiet) {
+    print_result(std::move(object), form_of_labels(resolved), options.print);
+  } else if (!options.print.quiet) {
     print_labels(set.labels());
     print_warnings(warnings);
   }

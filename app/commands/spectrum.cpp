@@ -1,3 +1,5 @@
+#include "app/commands/spectrum.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -64,15 +66,19 @@ void describe_series(Record& record, const BinnedRecords& binned) {
   });
 }
 
-// Rows for a case have a name that ends in .csv; beside a case, all else is a folder of results.
-bool keeps_rows(const Options& options) {
-  return !options.output.empty() &&
-         (options.case_file.empty() || fs::path(options.output).extension() == ".csv");
+// Whether there is a case whose bearings have lives.
+bool is_rated(const SpectrumOptions& options) {
+  return !options.stated.file.empty() || options.stated.given;
 }
 
-void write_rows(const Options& options, const LoadSpectrum& spectrum) {
+// Rows for a case have a name that ends in .csv; beside a case, all else is a folder of results.
+bool keeps_rows(const SpectrumOptions& options) {
+  return !options.output.empty() && (!is_rated(options) || fs::path(options.output).extension() == ".csv");
+}
+
+void write_rows(const SpectrumOptions& options, const LoadSpectrum& spectrum) {
   std::error_code ignored;
-  for (const std::string& series : options.folders)
+  for (const std::string& series : options.series)
     if (fs::equivalent(options.output, series, ignored))
       throw BadInput("--output: found the record itself; required: another file");
   if (fs::is_directory(options.output, ignored))
@@ -84,8 +90,8 @@ void write_rows(const Options& options, const LoadSpectrum& spectrum) {
   write_aside_and_rename(options.output, spectrum_file(spectrum));
 }
 
-BinnedRecords read_records(const Options& options) {
-  BinnedRecords binned{.files = options.folders};
+BinnedRecords read_records(const SpectrumOptions& options) {
+  BinnedRecords binned{.files = options.series};
   const RecordTimes times = record_times(options.share, options.hours, binned.files.size());
   binned.found.spectrum.hours = times.hours;
   for (std::size_t i = 0; i < binned.files.size(); ++i) {
@@ -98,7 +104,7 @@ BinnedRecords read_records(const Options& options) {
   return binned;
 }
 
-void put_bins(const Options& options, double exponent, BinnedRecords& binned) {
+void put_bins(const SpectrumOptions& options, double exponent, BinnedRecords& binned) {
   const double hours = binned.found.spectrum.hours;
   binned.exponent = options.exponent.value_or(exponent);
   binned.found = app::binned(binned.records, parse_bins(options.bins), binned.exponent);
@@ -140,16 +146,16 @@ std::vector<std::string> warnings_of(const BinnedRecords& binned, bool oil) {
   return warnings;
 }
 
-int present_bins(const BinnedRecords& binned, const Options& options) {
+int present_bins(const BinnedRecords& binned, const Printing& print) {
   const std::vector<std::string> warnings = warnings_of(binned, true);
   Record record;
   describe_series(record, binned);
-  if (options.json) {
+  if (print.json) {
     nlohmann::ordered_json object = json_of(record);
     object["warnings"] = warnings;
     object["versions"] = versions_json();
-    print_result(std::move(object), record, options);
-  } else if (!options.quiet) {
+    print_result(std::move(object), record, print);
+  } else if (!print.quiet) {
     fmt::print("{}", text_of(record));
     print_warnings(warnings);
   }
@@ -170,8 +176,8 @@ struct RatedCase {
   std::vector<std::string> warnings{};
 };
 
-RatedCase rated_case(const Options& options) {
-  RatedCase rated{point_of(options)};
+RatedCase rated_case(const StatedCase& stated) {
+  RatedCase rated{point_of(stated)};
   require_planet_bearings(rated.resolved);
   if (!rated.resolved.has(kSpectrumPath)) return rated;
   if (rated.resolved.location(kSpectrumPath).option)
@@ -180,32 +186,37 @@ RatedCase rated_case(const Options& options) {
   return rated;
 }
 
-int present_lives(const RatedCase& rated, const BinnedRecords& binned, const Options& options) {
+int present_lives(const RatedCase& rated, const BinnedRecords& binned, const SpectrumOptions& options) {
   const ResolvedCase& resolved = rated.resolved;
-  require_computable(resolved, options.fidelity, false);
-  SweepRequest request = sweep_request(resolved, options.fidelity);
-  put_options(options, request);
-  if (keeps_rows(options)) request.folder.clear();
+  const std::string fidelity = fidelity_or_default(options.fidelity);
+  require_computable(resolved, fidelity, false);
+  SweepRequest request = sweep_request(resolved, fidelity);
+  put_execution({keeps_rows(options) ? "" : options.output, options.resume}, options.jobs, options.print,
+                request);
   Record record;
   describe_series(record, binned);
   return present_sweep(
-      resolved, run_sweep(request), options,
+      resolved, run_sweep(request), options.print,
       {&record, joined(warnings_of(binned, stated_oil(resolved).has_value()), rated.warnings)});
 }
 
 }  // namespace
 
-int spectrum_command(const Options& options) {
-  const bool rated = !options.case_file.empty();
-  if (options.output.empty() && !options.json && !rated)
-    throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
+std::vector<std::string> problems(const SpectrumOptions& options) {
+  std::vector<std::string> found;
+  if (options.output.empty() && !options.print.json && !is_rated(options))
+    found.emplace_back("--output: missing; required: a file for the rows, or --json to print them alone");
   if (options.resume && (options.output.empty() || keeps_rows(options)))
-    throw BadInput("--resume: found without a folder; required: -o DIR, the folder to continue");
-  parse_bins(options.bins);
+    found.emplace_back("--resume: found without a folder; required: -o DIR, the folder to continue");
   if (!options.columns.torque.empty() && !options.columns.power.empty())
-    throw BadInput("--power: found together with --torque; required: one of both");
+    found.emplace_back("--power: found together with --torque; required: one of both");
+  return found;
+}
+
+int execute(const SpectrumOptions& options) {
+  parse_bins(options.bins);
   std::optional<RatedCase> of_case;
-  if (rated) of_case = rated_case(options);
+  if (is_rated(options)) of_case = rated_case(options.stated);
   BinnedRecords binned = read_records(options);
   put_bins(options, of_case ? exponent_of_case(of_case->resolved) : kLineExponent, binned);
   if (of_case)
@@ -213,7 +224,7 @@ int spectrum_command(const Options& options) {
       return of_case->resolved.with(kSpectrumPath, spectrum_rows(binned.found.spectrum));
     });
   if (keeps_rows(options)) write_rows(options, binned.found.spectrum);
-  return of_case ? present_lives(*of_case, binned, options) : present_bins(binned, options);
+  return of_case ? present_lives(*of_case, binned, options) : present_bins(binned, options.print);
 }
 
 }  // namespace orbearing::app

@@ -1,3 +1,5 @@
+#include "app/commands/stiffness.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +13,20 @@
 
 namespace orbearing::app {
 
-int stiffness_command(const Options& options) {
-  require_output(options);
-  const ResolvedCase resolved = case_of(options);
+std::vector<std::string> problems(const StiffnessOptions& options) {
+  return problems(ResultPlace{options.output, options.resume}, options.print);
+}
+
+int execute(const StiffnessOptions& options) {
+  const ResolvedCase resolved = case_of(options.stated);
   const use::Analysis used = resolved.model() == planetary_drivetrain ? use::planet_stiffness
                              : is_duplex(resolved)                    ? use::duplex_modes
                                                                       : use::stiffness;
   const std::vector<std::string> unused = require_used(resolved, used, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
-  return compute_and_keep(resolved, options, {"stiffness", "stiffness"}, [&]() -> AnalysisResult {
+  const ResultPlace place{options.output, options.resume};
+  const ResultNames names{"stiffness", "stiffness"};
+  return compute_and_keep(resolved, place, options.print, names, [&]() -> AnalysisResult {
     AnalysisResult result{.record = record_of(study), .warnings = joined(unused, study.warnings)};
     result.files = {{"stiffness.csv", stiffness_csv(study)}};
     result.failed = std::any_of(study.points.begin(), study.points.end(),

@@ -1,3 +1,5 @@
+#include "app/commands/table.hpp"
+
 #include <fmt/format.h>
 
 #include "app/case/spectrum_case.hpp"
@@ -34,29 +36,32 @@ std::vector<std::string> warnings_of(const TabulatedCase& table) {
 
 }  // namespace
 
-int table_command(const Options& options) {
-  require_output(options);
-  const ResolvedCase resolved = over_box(case_of(options), options.over);
-  require_computable(resolved, options.fidelity, true);
-  std::vector<std::string> warnings =
-      joined(require_used(resolved, rung_of(resolved, options.fidelity), Axes::all),
-             spectrum_warnings(resolved, "table"));
-  const TableStudy study(resolved, options.fidelity,
+std::vector<std::string> problems(const TableOptions& options) {
+  return problems(ResultPlace{options.output, options.resume}, options.print);
+}
+
+int execute(const TableOptions& options) {
+  const ResolvedCase resolved = over_box(case_of(options.stated), options.over);
+  const std::string fidelity = fidelity_or_default(options.fidelity);
+  require_computable(resolved, fidelity, true);
+  std::vector<std::string> warnings = joined(require_used(resolved, rung_of(resolved, fidelity), Axes::all),
+                                             spectrum_warnings(resolved, "table"));
+  const TableStudy study(resolved, fidelity,
                          {.over = options.over,
                           .results = options.results,
                           .bound = options.bound,
                           .points = static_cast<std::size_t>(options.points)});
   SweepRequest request = study.request();
-  put_options(options, request);
+  put_execution({options.output, options.resume}, options.jobs, options.print, request);
   const TabulatedCase table = study.result(run_sweep(request));
   if (!options.output.empty()) write_aside_and_rename(request.folder / table_file_name, table_text(table));
   Record record;
   describe(record, table);
-  present_record(resolved, record, joined(warnings, warnings_of(table)), options);
+  present_record(resolved, record, joined(warnings, warnings_of(table)), options.print);
   if (table.failed_points == 0) return 0;
   print_failures(fmt::format("{} of {} points failed; queries beside them are computed", table.failed_points,
                              table.points),
-                 options);
+                 options.print);
   return 1;
 }
 

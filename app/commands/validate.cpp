@@ -1,3 +1,5 @@
+#include "app/commands/validate.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -88,7 +90,7 @@ void describe_count(Record& record, const ValidationCount& count) {
 
 // With the unit of each compared number.
 void print_validation(const std::vector<ValidationTable>& tables, const std::vector<std::string>& warnings,
-                      const Options& options) {
+                      const Printing& print) {
   Record record;
   describe_count(record, counted(tables));
   describe(record, tables);
@@ -97,21 +99,21 @@ void print_validation(const std::vector<ValidationTable>& tables, const std::vec
   for (const ValidationTable& table : tables)
     for (const ValidationRow& row : table.rows)
       if (!row.unit.empty()) object["units"][row.published.quantity] = row.unit;
-  print_result(std::move(object), record, options);
+  print_result(std::move(object), record, print);
 }
 
 // Output of the command for the case with --json.
 nlohmann::ordered_json command_result(const std::string& command, const std::string& fidelity,
                                       const ResolvedCase& resolved) {
   Request request{.command = command, .given = Case(resolved)};
-  if (fidelity != Options{}.fidelity) request.options = fmt::format(R"({{"fidelity": "{}"}})", fidelity);
+  if (fidelity != kDefaultFidelity) request.options = fmt::format(R"({{"fidelity": "{}"}})", fidelity);
   const Answer found = answer(request);
   if (found.code != 0)
     throw ComputationFailed(fmt::format("{}: {}", command, fmt::join(found.failures, "; ")));
   return nlohmann::ordered_json::parse(found.result);
 }
 
-int validate_motion(const Options& options) {
+int validate_motion(const ValidateOptions& options) {
   std::vector<Record> rows;
   for (const std::string& file : case_files(options.cases)) {
     const std::optional<MotionPlan> plan = read_expected(expected_beside(file)).motion;
@@ -119,7 +121,7 @@ int validate_motion(const Options& options) {
     const ResolvedCase resolved = read_case(file, options.settings);
     const std::string& name = resolved.text("name");
     const auto show = [&](const std::vector<ChangeResult>& results, std::size_t done) {
-      if (options.json || options.quiet) return;
+      if (options.print.json || options.print.quiet) return;
       if (done == 1) fmt::print("{}", motion_heading(name, *plan));
       fmt::print("{}", motion_line(*plan, results.front(), results[done - 1]));
       std::fflush(stdout);  // a line takes a minute
@@ -136,15 +138,15 @@ int validate_motion(const Options& options) {
   Record record;
   record.table("motion", "reading", "effect of each other reading in motion", rows,
                [](Record& row, const Record& of) { row = of; });
-  if (options.json) print_result(json_of(record), record, options);
+  if (options.print.json) print_result(json_of(record), record, options.print);
   return 0;
 }
 
 }  // namespace
 
-int validate_command(const Options& options) {
+int execute(const ValidateOptions& options) {
   if (options.motion) return validate_motion(options);
-  const bool text = !options.json && !options.quiet;
+  const bool text = !options.print.json && !options.print.quiet;
   std::vector<ValidationTable> tables;
   const auto add = [&](ValidationTable table) {
     tables.push_back(std::move(table));
@@ -159,7 +161,7 @@ int validate_command(const Options& options) {
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
   if (text) print_warnings(warnings);
-  if (options.json) print_validation(tables, warnings, options);
+  if (options.print.json) print_validation(tables, warnings, options.print);
   return 0;
 }
 

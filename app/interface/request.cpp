@@ -1,10 +1,14 @@
 #include "orbearing/request.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/case/case_file.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/commands.hpp"
+#include "app/options/option_json.hpp"
 #include "app/results/progress.hpp"
 #include "mechanics/cancellation.hpp"
 
@@ -14,58 +18,60 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string word_of(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-void add_option(const std::string& name, const Json& value, std::vector<std::string>& words) {
-  if (value.is_null() || value == false) return;
-  if (value.is_array()) {
-    for (const Json& one : value) add_option(name, one, words);
-    return;
-  }
-  if (name == "folders") {
-    words.push_back(word_of(value));
-    return;
-  }
-  std::string option = "--" + name;
-  std::replace(option.begin(), option.end(), '_', '-');
-  const std::string word = word_of(value);
-  if (word.empty()) throw BadInput(option + ": found an empty text; required: a value");
-  words.push_back(option + "=" + word);
-}
-
-// The same as a user would type it.
-std::vector<std::string> words_of(const Request& request) {
-  std::vector<std::string> words{request.command};
-  if (request.given || !request.case_text.empty())
-    words.push_back("case.yaml");  // name of the case in memory
-  else if (!request.case_file.empty())
-    words.push_back(request.case_file);
-  for (const std::string& setting : request.settings) words.push_back("--set=" + setting);
-  const Json options = Json::parse(request.options, nullptr, false);
+Json options_of(const Request& request) {
+  Json options = Json::parse(request.options, nullptr, false);
   if (!options.is_object())
     throw BadInput("options: found " + request.options +
                    "; required: a JSON object of options by their names");
-  for (const auto& [name, value] : options.items()) add_option(name, value, words);
-  return words;
+  for (const std::string& setting : request.settings) options["set"].push_back(setting);
+  return options;
+}
+
+// Puts the file of the request's case, if it has one; a case in memory is read behind all options. Returns
+// the names of options that the request gives so.
+std::set<std::string> put_case(const Request& request, const app::OptionList& options, bool takes_given) {
+  const bool in_memory = request.given || !request.case_text.empty();
+  if (!in_memory && request.case_file.empty()) return {};
+  const auto row = std::ranges::find_if(
+      options, [](const app::Option& option) { return option.name == "CASE" || option.name == "--case"; });
+  if (row == options.end())
+    throw BadInput(fmt::format("{}: found a case; required: no case with this command", request.command));
+  if (in_memory && !takes_given)
+    throw BadInput(fmt::format("{}: found a case in memory; required: the file of a case", request.command));
+  const std::string fault = in_memory ? std::string() : app::put_value(*row, request.case_file);
+  if (!fault.empty()) throw BadInput(row->name + ": " + fault);
+  return {row->name};
+}
+
+void read_case(const Request& request, app::StatedCase& stated) {
+  if (request.given && !stated.settings.empty())
+    throw BadInput("settings: found with a case that is read already; required: none");
+  if (request.given)
+    stated.given = request.given->content();
+  else if (!request.case_text.empty())
+    stated.given = app::parse_case(request.case_text, "case.yaml", stated.settings);
+}
+
+// The command with all that the request states.
+app::CommandRequest command_of(const Request& request) {
+  app::CommandRequest command = app::command_called(request.command);
+  app::StatedCase* stated = app::stated_case(command);
+  const app::OptionList options = app::option_list(command);
+  app::put_json(options_of(request), options, put_case(request, options, stated != nullptr));
+  if (stated != nullptr) read_case(request, *stated);
+  return command;
 }
 
 }  // namespace
 
 Answer answer(const Request& request) {
-  app::Asked asked = app::asked_by(words_of(request));
-  app::Options& options = asked.options;
-  options.json = options.quiet = true;
-  if (request.given)
-    options.given = request.given->content();
-  else if (!request.case_text.empty())
-    options.given = app::parse_case(request.case_text, "case.yaml", request.settings);
+  app::CommandRequest command = command_of(request);
+  app::Printing& print = app::printing_of(command);
+  print.json = print.quiet = true;
   Answer answer{.result = "null"};
-  options.take_result = [&](const Json& object) { answer.result = object.dump(); };
-  options.take_failures = [&](const std::string& line) { answer.failures.push_back(line); };
-  if (request.point)
-    options.take_point = [&](const nlohmann::ordered_json& row) { request.point(row.dump()); };
+  print.to.result = [&](const Json& object) { answer.result = object.dump(); };
+  print.to.failures = [&](const std::string& line) { answer.failures.push_back(line); };
+  if (request.point) print.to.point = [&](const Json& row) { request.point(row.dump()); };
   struct Stop {
     bool wished = false;
     ~Stop() {
@@ -86,7 +92,7 @@ Answer answer(const Request& request) {
     motions.emplace([&](const system::MotionProgress& now) {
       request.motion(app::motion_json(now, pace.seconds_left(now)).dump());
     });
-  answer.code = asked.command(options);
+  answer.code = app::execute(command);
   return answer;
 }
 

@@ -8,7 +8,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/case/rows_file.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/open.hpp"
 #include "app/errors.hpp"
 #include "app/page/page_server.hpp"
 #include "app/resources.hpp"
@@ -70,10 +70,10 @@ int work_within(const std::string& folder) {
 
 }  // namespace
 
-int open_command(const Options& options) {
-  if (options.worker) return work_within(options.case_file);
+int execute(const OpenOptions& options) {
+  if (options.worker) return work_within(options.opened);
   page::PageSettings settings{
-      .opened = page::opened_as(options.case_file), .files = page_files(), .port = options.port};
+      .opened = page::opened_as(options.opened), .files = page_files(), .port = options.port};
   settings.linger = std::chrono::seconds(options.linger);
   settings.interrupted = [] { return stop_requested(); };
   LeadingFile leading;
@@ -83,7 +83,8 @@ int open_command(const Options& options) {
     if (!options.no_browser) show_in_browser(leading.write(entry).string());
   };
   for (const fs::path& folder : page::serve_page(settings))
-    if (!options.quiet) fmt::print("results are kept in {}; orbearing open shows them\n", folder.string());
+    if (!options.print.quiet)
+      fmt::print("results are kept in {}; orbearing open shows them\n", folder.string());
   return 0;
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using httplib::Response;
-using Asked = httplib::Request;
+using HttpRequest = httplib::Request;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t largest_body = 4U << 20U;  // [byte]
@@ -61,7 +61,7 @@ bool same(const std::string& one, const std::string& other) {
   return difference == 0;
 }
 
-std::string cookie(const Asked& asked, const std::string& name) {
+std::string cookie(const HttpRequest& asked, const std::string& name) {
   const std::string header = asked.get_header_value("Cookie");
   for (std::size_t begin = 0; begin < header.size();) {
     const std::size_t end = std::min(header.find(';', begin), header.size());
@@ -220,15 +220,16 @@ class PageServer {
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server_.set_pre_routing_handler(
-        [this](const Asked& asked, Response& response) { return admit(asked, response); });
-    server_.set_post_routing_handler([](const Asked&, Response& response) { add_headers(response); });
-    server_.set_error_handler([](const Asked&, Response& response) {
+        [this](const HttpRequest& asked, Response& response) { return admit(asked, response); });
+    server_.set_post_routing_handler([](const HttpRequest&, Response& response) { add_headers(response); });
+    server_.set_error_handler([](const HttpRequest&, Response& response) {
       if (response.body.empty() && !response.content_provider_ && response.status != no_parts)
         refuse_with(response, response.status, reason_of(response.status));
     });
-    server_.set_exception_handler([](const Asked&, Response& response, const std::exception_ptr& failure) {
-      answer_exception(response, failure);
-    });
+    server_.set_exception_handler(
+        [](const HttpRequest&, Response& response, const std::exception_ptr& failure) {
+          answer_exception(response, failure);
+        });
     add_routes();
   }
 
@@ -299,7 +300,7 @@ class PageServer {
   bool is_own(const std::string& host) const { return std::ranges::find(hosts_, host) != hosts_.end(); }
 
   // Browsers send cookies to all ports of a host, but to the paths of the cookie alone: this one is secret.
-  bool is_allowed(const Asked& asked) {
+  bool is_allowed(const HttpRequest& asked) {
     if (same(asked.get_param_value("token"), token_) ||
         same(asked.get_header_value("X-Orbearing-Token"), token_))
       return true;
@@ -307,12 +308,12 @@ class PageServer {
     return is_entry(asked) && same(asked.get_param_value("once"), once_) && !entered_.exchange(true);
   }
 
-  static bool is_entry(const Asked& asked) {
+  static bool is_entry(const HttpRequest& asked) {
     return asked.method == "GET" && asked.path == "/" && asked.has_param("once");
   }
 
   // Before anything of a body is read.
-  httplib::Server::HandlerResponse admit(const Asked& asked, Response& response) {
+  httplib::Server::HandlerResponse admit(const HttpRequest& asked, Response& response) {
     const auto refused = [&](int status, const char* reason) {
       refuse_with(response, status, reason);
       return httplib::Server::HandlerResponse::Handled;
@@ -343,51 +344,51 @@ class PageServer {
 
   void add_routes() {
     server_.Get(at("/"),
-                [this](const Asked& asked, Response& response) { answer_document(asked, response); });
-    server_.Get(at("/web/(.+)"), [this](const Asked& asked, Response& response) {
+                [this](const HttpRequest& asked, Response& response) { answer_document(asked, response); });
+    server_.Get(at("/web/(.+)"), [this](const HttpRequest& asked, Response& response) {
       answer_file(response, {settings_.files}, asked.matches[1]);
     });
     // Copied beside the page, as in a wheel, or where packages of Debian put them.
-    server_.Get(at("/lib/(.+)"), [this](const Asked& asked, Response& response) {
+    server_.Get(at("/lib/(.+)"), [this](const HttpRequest& asked, Response& response) {
       answer_file(response, {settings_.files / "lib", "/usr/share/javascript"}, asked.matches[1]);
     });
-    server_.Get(at("/schema/(case|result)"), [](const Asked& asked, Response& response) {
+    server_.Get(at("/schema/(case|result)"), [](const HttpRequest& asked, Response& response) {
       answer_file(response, {shipped_cases()}, asked.matches[1].str() + ".schema.json");
     });
     // By `results` a folder of results within the one that was opened.
-    server_.Get(at("/opened"), [this](const Asked& asked, Response& response) {
+    server_.Get(at("/opened"), [this](const HttpRequest& asked, Response& response) {
       answer_json(
           response,
           opened_json(asked.has_param("results")
                           ? read_again(results_within(settings_.opened, asked.get_param_value("results")))
                           : opened_now()));
     });
-    server_.Get(at("/folders"), [this](const Asked&, Response& response) {
+    server_.Get(at("/folders"), [this](const HttpRequest&, Response& response) {
       answer_json(response, result_folders_json(settings_.opened));
     });
     server_.Get(at("/templates"),
-                [](const Asked&, Response& response) { answer_json(response, templates_json()); });
+                [](const HttpRequest&, Response& response) { answer_json(response, templates_json()); });
     server_.Get(at("/jobs/([0-9]+)/events"),
-                [this](const Asked& asked, Response& response) { answer_events(asked, response); });
+                [this](const HttpRequest& asked, Response& response) { answer_events(asked, response); });
     server_.Delete(at("/jobs/([0-9]+)"),
-                   [this](const Asked& asked, Response& response) { stop_job(asked, response); });
+                   [this](const HttpRequest& asked, Response& response) { stop_job(asked, response); });
     post("/request", &PageServer::answer_request);
     post("/jobs", &PageServer::start_job);
     post("/report", &PageServer::answer_report);
     post("/units", &PageServer::answer_units);
     post("/save", &PageServer::answer_save);
     server_.Post(at("/alive"),
-                 [](const Asked&, Response& response) { answer_json(response, Json::object()); });
-    server_.Post(at("/closed"), [this](const Asked& asked, Response& response) {
+                 [](const HttpRequest&, Response& response) { answer_json(response, Json::object()); });
+    server_.Post(at("/closed"), [this](const HttpRequest& asked, Response& response) {
       presence_.close(asked.get_param_value("page"));
       answer_json(response, Json::object());
     });
   }
 
-  using Answering = void (PageServer::*)(const Asked&, const Json& body, Response&);
+  using Answering = void (PageServer::*)(const HttpRequest&, const Json& body, Response&);
 
   void post(const char* path, Answering answering) {
-    server_.Post(at(path), [this, answering](const Asked& asked, Response& response) {
+    server_.Post(at(path), [this, answering](const HttpRequest& asked, Response& response) {
       const Json body = parse_body(asked.body);
       if (body.is_discarded()) return refuse_with(response, 400, "a body that is no JSON");
       (this->*answering)(asked, body, response);
@@ -412,7 +413,7 @@ class PageServer {
     answer_text(response, leading_to(home_ + "/"), "text/html; charset=utf-8");
   }
 
-  void answer_document(const Asked& asked, Response& response) {
+  void answer_document(const HttpRequest& asked, Response& response) {
     if (is_entry(asked)) return answer_entry(response);
     const Opened now = opened_now();
     std::string page = read_file(settings_.files / "index.html"), opened = opened_json(now).dump();
@@ -459,7 +460,7 @@ class PageServer {
     return no_lives(error.what());
   }
 
-  void answer_request(const Asked&, const Json& body, Response& response) {
+  void answer_request(const HttpRequest&, const Json& body, Response& response) {
     require_sound_request(body);
     const Slot slot(computing_);
     if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
@@ -475,7 +476,7 @@ class PageServer {
     answer_text(response, std::move(message.payload), kind);
   }
 
-  void start_job(const Asked&, const Json& body, Response& response) {
+  void start_job(const HttpRequest&, const Json& body, Response& response) {
     require_sound_request(body, {"continue", "results"});
     try {
       answer_json(response, {{"job", jobs_.start(body, folder_of_results(body))}}, 202);
@@ -495,7 +496,7 @@ class PageServer {
     return results_within(settings_.opened, name.get<std::string>()).folder;
   }
 
-  void stop_job(const Asked& asked, Response& response) {
+  void stop_job(const HttpRequest& asked, Response& response) {
     const std::shared_ptr<Job> job = jobs_.find(asked.matches[1]);
     if (!job) return refuse_with(response, 404, "there is no such job");
     job->stop();
@@ -503,7 +504,7 @@ class PageServer {
   }
 
   // A reader that was cut off continues behind the last event it has.
-  static std::size_t last_event(const Asked& asked) {
+  static std::size_t last_event(const HttpRequest& asked) {
     const std::string last = asked.get_header_value("Last-Event-ID");
     const bool number = !last.empty() && last.size() < 10 &&
                         std::ranges::all_of(last, [](char c) { return c >= '0' && c <= '9'; });
@@ -522,7 +523,7 @@ class PageServer {
         : job(std::move(read)), reader(*job), slot(taken), next(from) {}
   };
 
-  void answer_events(const Asked& asked, Response& response) {
+  void answer_events(const HttpRequest& asked, Response& response) {
     const std::shared_ptr<Job> job = jobs_.find(asked.matches[1]);
     if (!job) return refuse_with(response, 404, "there is no such job");
     auto reading = std::make_shared<Reading>(job, reading_, last_event(asked));
@@ -552,7 +553,7 @@ class PageServer {
 
   // Report of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it
   // is text: the page shows it in a frame that runs no script.
-  void answer_report(const Asked& asked, const Json& body, Response& response) {
+  void answer_report(const HttpRequest& asked, const Json& body, Response& response) {
     const bool pdf = asked.get_param_value("form") == "pdf";
     const char* kind = pdf ? "application/pdf" : "text/plain; charset=utf-8";
     const std::string of = asked.get_param_value("of");
@@ -589,11 +590,11 @@ class PageServer {
     }
   };
 
-  void answer_units(const Asked&, const Json& body, Response& response) {
+  void answer_units(const HttpRequest&, const Json& body, Response& response) {
     answer_json(response, converted(body));
   }
 
-  void answer_save(const Asked&, const Json& body, Response& response) {
+  void answer_save(const HttpRequest&, const Json& body, Response& response) {
     if (settings_.opened.folder.empty())
       return refuse_with(response, 409, "no folder was opened: download the file");
     const auto is_text = [&](const char* key) { return body.contains(key) && body[key].is_string(); };

@@ -47,30 +47,30 @@ AnalysisResult rated_result(const ResolvedCase& in, const Study& study) {
   return result;
 }
 
-AnalysisResult bearing_at_rest(const ResolvedCase& in, const Wanted&) {
+AnalysisResult bearing_at_rest(const ResolvedCase& in, const AnalysisOptions&) {
   return rated_result(in, static_study(in));
 }
 
-AnalysisResult balls_in_time(const ResolvedCase& in, const Wanted& wanted) {
-  return rated_result(in, ball_study(in, wanted.progress));
+AnalysisResult balls_in_time(const ResolvedCase& in, const AnalysisOptions& options) {
+  return rated_result(in, ball_study(in, options.progress));
 }
 
-AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const Wanted& wanted) {
-  return defect_result(defect_study(in), wanted.files);
+AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const AnalysisOptions& options) {
+  return defect_result(defect_study(in), options.files);
 }
 
-AnalysisResult scratched_balls_in_motion(const ResolvedCase& in, const Wanted& wanted) {
-  return defect_result(defect_study(in, DefectRung::all, wanted.progress), wanted.files);
+AnalysisResult scratched_balls_in_motion(const ResolvedCase& in, const AnalysisOptions& options) {
+  return defect_result(defect_study(in, DefectRung::all, options.progress), options.files);
 }
 
-AnalysisResult scratched_planet(const ResolvedCase& in, const Wanted& wanted) {
-  const PlanetDefectStudy study = planet_defect_study(in, wanted.progress);
+AnalysisResult scratched_planet(const ResolvedCase& in, const AnalysisOptions& options) {
+  const PlanetDefectStudy study = planet_defect_study(in, options.progress);
   AnalysisResult result{.record = record_of(study)};
   put_load(study.vibration.largest_load, result);
   return result;
 }
 
-AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const Wanted&) {
+AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const AnalysisOptions&) {
   const DuplexStudy study = duplex_study(in);
   AnalysisResult result = described_result(study);
   result.failed =
@@ -82,7 +82,7 @@ bool runs_gears_alone(const ResolvedCase& in) {
   return in.model() == planetary_drivetrain && !in.shape().several && !in.shape().bearing;
 }
 
-AnalysisResult vibration_of_gears(const ResolvedCase& in, const Wanted&) {
+AnalysisResult vibration_of_gears(const ResolvedCase& in, const AnalysisOptions&) {
   const gearset::dynamics::SetModel model = moving_gears_of(in);
   if (!in.shape().teeth)
     throw BadInput(in.file() +

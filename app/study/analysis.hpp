@@ -35,7 +35,8 @@ struct Analysis {
   const char* doing = nullptr;          // begins the line of its progress; null: it is done at once
   std::size_t parts = 0;                // of that line
   double (*simulated)(const ResolvedCase&) = nullptr;  // [s]  time of the motion whose shares these parts are
-  AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);   // throws BadInput, ComputationFailed
+  /// Throws BadInput and ComputationFailed.
+  AnalysisResult (*compute)(const ResolvedCase&, const AnalysisOptions&);
   std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // derived quantities for `check`
 };
 

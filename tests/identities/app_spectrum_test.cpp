@@ -164,7 +164,7 @@ TEST(LoadSpectra, IsWhatACrownStudyLivesUnder) {
 }
 
 TEST(LoadSpectra, OfACrownStudyIsStatedOnce) {
-  CrownOptions options;
+  CrownChoices options;
   options.spectrum = true;
   EXPECT_THROW(crown_request(reducer({"spectrum=[" + kOwn + "]"}), options), BadInput);
 }

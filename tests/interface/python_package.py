@@ -222,7 +222,7 @@ class ErrorsSayWhere(unittest.TestCase):
                            (lambda: case.__setitem__("input.power", "\ud800"), "found the character '\\ud800'"),
                            (lambda: case["\ud800"], "found the character '\\ud800'"),
                            (lambda: case.run(fidelity=""), "--fidelity: found an empty text; required: a value"),
-                           (lambda: case.sweep(jobs=True), "--jobs: Value true not in range"),
+                           (lambda: case.sweep(jobs=True), "--jobs: found 'true'; required: a whole number"),
                            (lambda: case.study(pair, jobs=-1), f"jobs: -1 {whole} 0 and at most 4096 is required"),
                            (lambda: case.study(pair, jobs=1.5), f"jobs: 1.5 {whole} 0"),
                            (lambda: case.study(pair, seed=-1, **sample), f"seed: -1 {whole} 0"),

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "app/commands/command_line.hpp"
+#include "app/commands/commands.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/results/point_file.hpp"
 #include "coupling/study/parallel.hpp"
@@ -68,17 +68,20 @@ const std::vector<PythonCommand>& python_commands() {
 void hand_over(int, char**) {}
 
 // Commands that a page never requests.
-#define ORBEARING_NO_COMMAND(name)                              \
-  int name##_command(const Options&) {                          \
-    throw std::logic_error(#name ": no command of the engine"); \
+#define ORBEARING_NO_COMMAND(Options)                                                     \
+  int execute(const Options&) {                                                           \
+    throw std::logic_error(std::string(Options::command) + ": no command of the engine"); \
+  }                                                                                       \
+  std::vector<std::string> problems(const Options&) {                                     \
+    return {};                                                                            \
   }
-ORBEARING_NO_COMMAND(demo)
-ORBEARING_NO_COMMAND(fmu)
-ORBEARING_NO_COMMAND(merge)
-ORBEARING_NO_COMMAND(new)
-ORBEARING_NO_COMMAND(open)
-ORBEARING_NO_COMMAND(report)
-ORBEARING_NO_COMMAND(spectrum)
-ORBEARING_NO_COMMAND(validate)
+ORBEARING_NO_COMMAND(DemoOptions)
+ORBEARING_NO_COMMAND(FmuOptions)
+ORBEARING_NO_COMMAND(MergeOptions)
+ORBEARING_NO_COMMAND(NewOptions)
+ORBEARING_NO_COMMAND(OpenOptions)
+ORBEARING_NO_COMMAND(ReportOptions)
+ORBEARING_NO_COMMAND(SpectrumOptions)
+ORBEARING_NO_COMMAND(ValidateOptions)
 
 }  // namespace orbearing::app

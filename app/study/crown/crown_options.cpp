@@ -12,6 +12,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/text_table.hpp"
 #include "app/errors.hpp"
+#include "app/options/option_json.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
 
@@ -109,24 +110,24 @@ std::string reason_to_state(const ResolvedCase& resolved) {
   return "";
 }
 
-std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
-  if (computed && !options.tilts.empty())
+std::vector<double> tilts_of(const CrownChoices& choices, bool computed, Mistakes& mistakes) {
+  if (computed && !choices.tilts.empty())
     mistakes.push_back("--tilts: found together with bearing.tilt_state: computed; required: one of both");
   if (computed) return {0.0};
-  if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
+  if (choices.tilts.empty()) return {0.0, 1e-3, 2e-3};
   std::vector<double> tilts =
-      quantity_list("--tilts", options.tilts, kTilt, {0.0, kMostTilt, "tilts from 0 to 100 mrad"}, mistakes);
+      quantity_list("--tilts", choices.tilts, kTilt, {0.0, kMostTilt, "tilts from 0 to 100 mrad"}, mistakes);
   std::sort(tilts.begin(), tilts.end());
   tilts.erase(std::unique(tilts.begin(), tilts.end()), tilts.end());
   return tilts;
 }
 
-std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing& bearing,
+std::vector<double> drops_of(const CrownChoices& choices, const bearing::Bearing& bearing,
                              Mistakes& mistakes) {
-  if (options.drops.empty()) return default_drops(bearing);
+  if (choices.drops.empty()) return default_drops(bearing);
   const std::size_t before = mistakes.size();
   std::vector<double> drops =
-      quantity_list("--drops", options.drops, kDrop, {0.0, kMostDrop, "drops from 0 to 1000 um"}, mistakes);
+      quantity_list("--drops", choices.drops, kDrop, {0.0, kMostDrop, "drops from 0 to 1000 um"}, mistakes);
   std::sort(drops.begin(), drops.end());
   drops.erase(std::unique(drops.begin(), drops.end()), drops.end());
   if (mistakes.size() == before && drops.back() <= 0.0)
@@ -144,26 +145,26 @@ double tolerance_of(const std::string& option, const std::string& text, const Di
   return value;
 }
 
-crowning::Distribution distribution_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
+crowning::Distribution distribution_of(const CrownChoices& choices, bool computed, Mistakes& mistakes) {
   using enum crowning::Distribution;
-  if (options.distribution.empty()) return computed ? normal : worst;
-  const crowning::Distribution stated = options.distribution == name_of(normal)    ? normal
-                                        : options.distribution == name_of(uniform) ? uniform
+  if (choices.distribution.empty()) return computed ? normal : worst;
+  const crowning::Distribution stated = choices.distribution == name_of(normal)    ? normal
+                                        : choices.distribution == name_of(uniform) ? uniform
                                                                                    : worst;
   if (!computed && stated != worst)
-    mistakes.push_back("--distribution: found " + options.distribution +
+    mistakes.push_back("--distribution: found " + choices.distribution +
                        " together with stated tilts; required: worst, or computed tilts");
-  if (options.tolerance.empty() && options.tilt_tolerance.empty())
+  if (choices.tolerance.empty() && choices.tilt_tolerance.empty())
     mistakes.push_back(
         "--distribution: found without a tolerance; required: --tolerance or --tilt-tolerance as well");
   return stated;
 }
 
-std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, Mistakes& mistakes) {
-  if (options.shares.empty()) return std::vector<double>(speeds, 1.0 / static_cast<double>(speeds));
+std::vector<double> shares_of(const CrownChoices& choices, std::size_t speeds, Mistakes& mistakes) {
+  if (choices.shares.empty()) return std::vector<double>(speeds, 1.0 / static_cast<double>(speeds));
   std::vector<double> shares;
   double sum = 0.0;
-  for (const std::string& part : parts_of(options.shares, ',')) {
+  for (const std::string& part : parts_of(choices.shares, ',')) {
     const Reading<double> share = read_number(part);
     if (!share.value || *share.value <= 0.0) {
       mistakes.push_back(fmt::format("--shares: found {}; required: numbers above 0", quote(part)));
@@ -189,15 +190,15 @@ std::vector<crowning::SpectrumPoint> points_of(const LoadSpectrum& stated) {
   return points;
 }
 
-std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, const CrownOptions& options,
+std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, const CrownChoices& choices,
                                                  Mistakes& mistakes) {
   if (const std::optional<LoadSpectrum> stated = load_spectrum(resolved)) {
-    if (options.spectrum || !options.shares.empty())
+    if (choices.spectrum || !choices.shares.empty())
       mistakes.push_back(
           "--spectrum, --shares: found with a case that states a spectrum; required: one of both");
     return points_of(*stated);
   }
-  if (!options.spectrum && options.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0, {}}};
+  if (!choices.spectrum && choices.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0, {}}};
   const std::vector<SweepAxis>& axes = resolved.axes();
   if (std::none_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; })) {
     mistakes.push_back(
@@ -205,23 +206,23 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
     return {};
   }
   const std::vector<double> speeds = swept_speeds(resolved);
-  const std::vector<double> shares = shares_of(options, speeds.size(), mistakes);
+  const std::vector<double> shares = shares_of(choices, speeds.size(), mistakes);
   std::vector<crowning::SpectrumPoint> spectrum;
   for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i)
     spectrum.push_back({speeds[i], shares[i], resolved.with(kSpeedPath, speeds[i]).quantity(kPowerPath)});
   return spectrum;
 }
 
-std::vector<std::string> profiles_of(const CrownOptions& options, const bearing::Bearing& bearing,
+std::vector<std::string> profiles_of(const CrownChoices& choices, const bearing::Bearing& bearing,
                                      Mistakes& mistakes) {
   const std::vector<std::string> known = crowning::family_names();
   const auto is_known = [&](const std::string& name) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
   const std::string stated = bearing::profile::kind(bearing.rollers().profile);
-  if (options.profiles.empty()) return {is_known(stated) ? stated : "iso16281"};
+  if (choices.profiles.empty()) return {is_known(stated) ? stated : "iso16281"};
   std::vector<std::string> names;
-  for (const std::string& name : parts_of(options.profiles, ',')) {
+  for (const std::string& name : parts_of(choices.profiles, ',')) {
     if (!is_known(name))
       mistakes.push_back(
           fmt::format("--profile: found {}; required: {}", quote(name), fmt::join(known, ", ")));
@@ -231,9 +232,9 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
 }
 
 // Life for the comparison of crowns. Of the governing lives, those by C and P do not depend on the crown.
-crowning::LifeMethod method_of(const ResolvedCase& resolved, const CrownOptions& options) {
-  const bool by_case = options.life.empty() && life_method(resolved) == crowning::LifeMethod::iso16281;
-  return by_case || options.life == "iso16281" ? crowning::LifeMethod::iso16281
+crowning::LifeMethod method_of(const ResolvedCase& resolved, const CrownChoices& choices) {
+  const bool by_case = choices.life.empty() && life_method(resolved) == crowning::LifeMethod::iso16281;
+  return by_case || choices.life == "iso16281" ? crowning::LifeMethod::iso16281
                                                : crowning::LifeMethod::lundberg_palmgren;
 }
 
@@ -246,66 +247,51 @@ void require_bearing(const ResolvedCase& resolved) {
                    ": bearing: missing; required: a planet bearing, whose rollers are crowned");
 }
 
-study::NamedSet set_of(const ResolvedCase& resolved, const CrownOptions& options) {
+study::NamedSet set_of(const ResolvedCase& resolved, const CrownChoices& choices) {
   std::vector<study::NamedSet> sets = bearing_sets(resolved);
   const auto named =
-      std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == options.of_set; });
-  if (resolved.shape().several ? named != sets.end() : options.of_set.empty())
+      std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == choices.of_set; });
+  if (resolved.shape().several ? named != sets.end() : choices.of_set.empty())
     return std::move(resolved.shape().several ? *named : sets.front());
   std::vector<std::string> names;
   for (const study::NamedSet& set : sets)
     if (!set.name.empty()) names.push_back(set.name);
   throw BadInput(
       names.empty()
-          ? fmt::format("--of: found {}; required: nothing, for the case has one set", quote(options.of_set))
+          ? fmt::format("--of: found {}; required: nothing, for the case has one set", quote(choices.of_set))
           : fmt::format("--of: found {}; required: the set whose planet bearing is meant: {}",
-                        options.of_set.empty() ? "nothing" : quote(options.of_set), fmt::join(names, ", ")));
+                        choices.of_set.empty() ? "nothing" : quote(choices.of_set), fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-nlohmann::ordered_json options_json(const CrownOptions& options) {
-  return {{"profile", options.profiles},
-          {"tilts", options.tilts},
-          {"drops", options.drops},
-          {"spectrum", options.spectrum},
-          {"shares", options.shares},
-          {"tolerance", options.tolerance},
-          {"tilt_tolerance", options.tilt_tolerance},
-          {"distribution", options.distribution},
-          {"life", options.life},
-          {"of", options.of_set},
-          {"starts", options.starts}};
+nlohmann::ordered_json choices_json(const CrownChoices& choices) {
+  CrownChoices shown = choices;
+  return json_of(option_list(shown));
 }
 
-CrownOptions options_from(const nlohmann::ordered_json& object) {
-  return {.profiles = object.at("profile"),
-          .tilts = object.at("tilts"),
-          .drops = object.at("drops"),
-          .shares = object.at("shares"),
-          .tolerance = object.at("tolerance"),
-          .tilt_tolerance = object.at("tilt_tolerance"),
-          .distribution = object.at("distribution"),
-          .life = object.at("life"),
-          .of_set = object.at("of"),
-          .spectrum = object.at("spectrum"),
-          .starts = object.at("starts")};
+CrownChoices choices_from(const nlohmann::ordered_json& object) {
+  nlohmann::ordered_json stated;
+  for (const auto& [key, value] : object.items())
+    if (value != "") stated[key] = value;
+  CrownChoices choices;
+  put_json(stated, option_list(choices));
+  return choices;
 }
 
-std::string options_text(const CrownOptions& options) {
+std::string choices_text(const CrownChoices& choices) {
   std::string text = "crown";
-  const nlohmann::ordered_json object = options_json(options);
+  const nlohmann::ordered_json object = choices_json(choices);
   for (const auto& [name, value] : object.items()) {
-    if (value.is_string() && value.get<std::string>().empty()) continue;
-    if (value.is_boolean() && !value.get<bool>()) continue;
+    if (value == "" || value == false) continue;
     text += fmt::format(" --{} {}", name, value.is_string() ? value.get<std::string>() : value.dump());
   }
   return printable(text);
 }
 
-CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options) {
+CrownCase crown_case(const ResolvedCase& resolved, const CrownChoices& choices) {
   require_bearing(resolved);
-  if (!options.tilts.empty() || states_computed_tilt(resolved)) return {resolved, {}};
+  if (!choices.tilts.empty() || states_computed_tilt(resolved)) return {resolved, {}};
   if (const std::string reason = reason_to_state(resolved); !reason.empty())
     return {
         resolved,
@@ -315,26 +301,26 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options) 
   return {resolved.with(settings), {}};
 }
 
-CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options) {
+CrownRequest crown_request(const ResolvedCase& resolved, const CrownChoices& choices) {
   require_bearing(resolved);
-  study::NamedSet set = set_of(resolved, options);
+  study::NamedSet set = set_of(resolved, choices);
   const bearing::Bearing& bearing = set.drivetrain.bearing;
   const bool computed = set.drivetrain.seats.tilt == study::TiltState::computed;
   Mistakes mistakes;
-  CrownRequest request{.method = method_of(resolved, options),
+  CrownRequest request{.method = method_of(resolved, choices),
                        .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : kLaminae,
-                       .spectrum = spectrum_of(resolved, options, mistakes),
-                       .profiles = profiles_of(options, bearing, mistakes),
-                       .tilts = tilts_of(options, computed, mistakes),
-                       .drops = drops_of(options, bearing, mistakes),
-                       .drops_stated = !options.drops.empty(),
-                       .distribution = distribution_of(options, computed, mistakes),
-                       .starts = options.starts};
+                       .spectrum = spectrum_of(resolved, choices, mistakes),
+                       .profiles = profiles_of(choices, bearing, mistakes),
+                       .tilts = tilts_of(choices, computed, mistakes),
+                       .drops = drops_of(choices, bearing, mistakes),
+                       .drops_stated = !choices.drops.empty(),
+                       .distribution = distribution_of(choices, computed, mistakes),
+                       .starts = choices.starts};
   const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();
   request.tolerance = {
-      tolerance_of("--tolerance", options.tolerance, kDrop, greatest,
+      tolerance_of("--tolerance", choices.tolerance, kDrop, greatest,
                    fmt::format("the greatest drop, {:.6g} um", per_micro * greatest), mistakes),
-      tolerance_of("--tilt-tolerance", options.tilt_tolerance, kTilt, kMostTilt, "100 mrad", mistakes)};
+      tolerance_of("--tilt-tolerance", choices.tilt_tolerance, kTilt, kMostTilt, "100 mrad", mistakes)};
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.drivetrain = std::move(set.drivetrain);
   request.geometry = set.geometry;

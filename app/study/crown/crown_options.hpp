@@ -1,4 +1,4 @@
-// Options of `orbearing crown` besides the case, as text and as numbers.
+// Choices of a crowning study besides the case, as text and as numbers.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,6 +7,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/case/units.hpp"
+#include "app/options/option.hpp"
 #include "coupling/study/crowning/half_space_search.hpp"
 
 namespace orbearing::app {
@@ -27,27 +28,62 @@ std::vector<double> quantity_list(const std::string& option, const std::string& 
 
 inline constexpr double kMostDrop = 1e-3;  // [m]  that a study takes
 
-/// Options as typed; empty: the default.
-struct CrownOptions {
-  std::string profiles;        // --profile         "iso16281, circular"
-  std::string tilts;           // --tilts           "0 mrad, 1 mrad" or "0 mrad : 2 mrad : 0.5 mrad"
-  std::string drops;           // --drops           the same with lengths
-  std::string shares;          // --shares          of the time, one for each swept speed
-  std::string tolerance;       // --tolerance       plus and minus about the drop
-  std::string tilt_tolerance;  // --tilt-tolerance  plus and minus about each tilt
-  std::string distribution;    // --distribution    of misses within the tolerances
-  std::string life;            // --life            by life.method
-  std::string of_set;          // --of: which of several sets
+/// Choices of a study as typed; empty: the default.
+struct CrownChoices {
+  std::string profiles;        // "iso16281, circular"
+  std::string tilts;           // "0 mrad, 1 mrad" or "0 mrad : 2 mrad : 0.5 mrad"
+  std::string drops;           // the same with lengths
   bool spectrum = false;       // all swept speeds
-  int starts = 10;
+  std::string shares;          // of the time, one for each swept speed
+  std::string tolerance;       // plus and minus about the drop
+  std::string tilt_tolerance;  // plus and minus about each tilt
+  std::string distribution;    // of misses within the tolerances
+  std::string life;            // by life.method
+  std::string of_set;          // which of several sets
+  int starts = 10;             // of the search
 };
+inline void describe(OptionList& list, CrownChoices& m) {
+  described::members(
+      list, m,
+      option(m.profiles, "--profile",
+             "kinds of profile, separated by commas: chamfer, circular, straight-circular, lundberg, "
+             "johns-gohar, iso16281, fujiwara-kawase; default: that of the case, else iso16281"),
+      option(m.tilts, "--tilts",
+             "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP. Default: none, tilts "
+             "are computed from planet, pin and bearings (if not possible: \"0 mrad, 1 mrad, 2 mrad\")"),
+      option(m.drops, "--drops",
+             "relief of one roller at the outermost of 40 laminae: a list or FROM : TO : STEP of "
+             "lengths. Default: 17 from 0 to about three times that of ISO/TS 16281"),
+      option(m.spectrum, "--spectrum",
+             "all speeds of the sweep, for equal times, instead of the one speed of the case"),
+      option(m.shares, "--shares",
+             "with --spectrum: shares of the time, one for each speed, separated by commas"),
+      option(m.tolerance, "--tolerance",
+             "tolerance of the drop, plus and minus, that the recommended drop takes into account, e.g. "
+             "\"1 um\""),
+      option(m.tilt_tolerance, "--tilt-tolerance",
+             "the same for each stated tilt, or for the inclination of the pin in either direction "
+             "where tilts are computed, e.g. \"0.5 mrad\""),
+      option(m.distribution, "--distribution",
+             "distribution of deviations within the tolerances: normal (cut off at three standard "
+             "deviations; default), uniform, or worst (the limits only; the only one for stated tilts)",
+             {.choices = {"normal", "uniform", "worst"}}),
+      option(m.life, "--life",
+             "lundberg-palmgren (the life of a sweep for straight rollers without tilt) or iso16281 "
+             "(with its stress riser at the ends); default: by life.method of the case",
+             {.choices = {"lundberg-palmgren", "iso16281"}}),
+      option(m.of_set, "--of", "the set of the studied planet bearing, if the case has several sets",
+             {.type = "SET"}),
+      option(m.starts, "--starts", "random starts of the search for the best crown; default: 10",
+             {.range = described::Range{1, 1000}}));
+}
 
 /// The same as JSON, so that a report can repeat the study.
-nlohmann::ordered_json options_json(const CrownOptions& options);
-CrownOptions options_from(const nlohmann::ordered_json& object);
+nlohmann::ordered_json choices_json(const CrownChoices& choices);
+CrownChoices choices_from(const nlohmann::ordered_json& object);
 
 /// One line that names all that differs between studies of a case.
-std::string options_text(const CrownOptions& options);
+std::string choices_text(const CrownChoices& choices);
 
 /// A study, checked and in SI.
 struct CrownRequest {
@@ -67,16 +103,16 @@ struct CrownRequest {
   bool computes_tilt() const { return drivetrain.seats.tilt == study::TiltState::computed; }
 };
 
-/// The case as crown takes it: tilts are computed where neither options nor the case state them.
+/// The case as crown takes it: tilts are computed where neither choices nor the case state them.
 struct CrownCase {
   ResolvedCase resolved;
   std::vector<std::string> warnings;  // why they are not, where that is the reason
 };
 
 /// Throws BadInput where the case has no planet bearing.
-CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options);
+CrownCase crown_case(const ResolvedCase& resolved, const CrownChoices& choices);
 
 /// Request for a case from crown_case(). Throws BadInput with every mistake at once.
-CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options);
+CrownRequest crown_request(const ResolvedCase& resolved, const CrownChoices& choices);
 
 }  // namespace orbearing::app

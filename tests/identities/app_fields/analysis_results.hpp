@@ -102,7 +102,7 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
 inline std::string crown_result(const ResolvedCase& in) {
   using namespace study::crowning;
   constexpr double drop = 4e-6, tilt = 1e-3;  // [m], [rad]  any that load a part of the roller less
-  CrownOptions options;
+  CrownChoices options;
   if (in.shape().several) options.of_set = in.shape().sets.front();
   const CrownRequest request = crown_request(in, options);
   const CrownProblem problem = problem_of(request);

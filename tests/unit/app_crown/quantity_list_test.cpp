@@ -45,29 +45,29 @@ TEST(QuantityList, RefusesWhatIsOutOfRangeAsItWasWritten) {
   }
 }
 
-TEST(CrownOptions, GoThroughJsonUnchanged) {
-  const CrownOptions options{.profiles = "circular",
+TEST(CrownChoices, GoThroughJsonUnchanged) {
+  const CrownChoices choices{.profiles = "circular",
                              .tilts = "1 mrad",
                              .drops = "4 um",
+                             .spectrum = true,
                              .shares = "0.5, 0.5",
                              .tolerance = "1 um",
                              .tilt_tolerance = "0.1 mrad",
                              .life = "iso16281",
                              .of_set = "second",
-                             .spectrum = true,
                              .starts = 3};
-  EXPECT_EQ(options_json(options_from(options_json(options))), options_json(options));
-  EXPECT_EQ(options_text({}), "crown --starts 10");
+  EXPECT_EQ(choices_json(choices_from(choices_json(choices))), choices_json(choices));
+  EXPECT_EQ(choices_text({}), "crown --starts 10");
 }
 
 // Crowns use life.method where no option states another life. C and P are the same for all crowns.
-TEST(CrownOptions, LifeIsThatOfTheCase) {
+TEST(CrownChoices, LifeIsThatOfTheCase) {
   using study::crowning::LifeMethod;
   const auto measure = [](const std::string& method, const std::string& option) {
-    CrownOptions options;
-    options.life = option;
+    CrownChoices choices;
+    choices.life = option;
     const std::vector<std::string> settings{"life.method=" + method};
-    return crown_request(read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings), options)
+    return crown_request(read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings), choices)
         .method;
   };
   EXPECT_EQ(measure("lundberg-palmgren", ""), LifeMethod::lundberg_palmgren);

@@ -125,12 +125,13 @@ Json schema_of_look(const Look& look) {
   std::vector<std::string> words{look.name.substr(0, look.name.find(' ')),
                                  ORBEARING_SOURCE_DIR "/cases/" + look.of + "/case.yaml", "--json"};
   words.insert(words.end(), look.words.begin(), look.words.end());
-  Asked asked = asked_by(words);
+  CommandRequest request = request_of_words(words);
   Json schema, object;
-  asked.options.quiet = true;
-  asked.options.take_record = [&](const Record& record) { schema = schema_of(record); };
-  asked.options.take_result = [&](const Json& result) { object = result; };
-  asked.command(asked.options);
+  Printing& print = printing_of(request);
+  print.quiet = true;
+  print.to.record = [&](const Record& record) { schema = schema_of(record); };
+  print.to.result = [&](const Json& result) { object = result; };
+  execute(request);
   for (const auto& [key, value] : object.items())
     if (key == "units" || !schema["properties"].contains(key)) schema["properties"][key] = common().at(key);
   for (const char* rows : {"points", "signals"})
