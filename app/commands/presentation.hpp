@@ -59,7 +59,8 @@ struct FoundBefore {
   std::vector<std::string> warnings{};
 };
 
-/// Prints what a finished sweep found, behind what was found before: JSON, or the table and the peak; points that failed are reported in any case. Returns the exit code.
+/// Prints what a finished sweep found, behind what was found before: JSON, or the table and the peak; points
+/// that failed are reported in any case. Returns the exit code.
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Printing& print,
                   const FoundBefore& before = {});
 
