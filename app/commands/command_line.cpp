@@ -91,7 +91,7 @@ class Reader {
     return lines;
   }
 
-  /// Of the words that the program has parsed.
+  /// Command and options of the words that the program has parsed.
   CommandRequest request() {
     const CLI::App& command = *program_.get_subcommands().front();
     CommandRequest& request = request_of(command);

@@ -17,7 +17,7 @@ struct MergeOptions {
 };
 inline void describe(OptionList& list, MergeOptions& m) {
   described::members(list, m, described::part(m.print), settings_row(m.settings),
-                     option(m.shards, "DIR", "folders of the shards", {.required = true, .key = "folders"}),
+                     option(m.shards, "DIR", "folders of the shards", {.required = true}),
                      output_row(m.output, "folder of the results; created if missing", true),
                      jobs_row(m.jobs), grid_only_row(m.grid_only));
 }

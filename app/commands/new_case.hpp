@@ -17,11 +17,11 @@ struct NewOptions {
   std::string file;
 };
 inline void describe(OptionList& list, NewOptions& m) {
-  described::members(
-      list, m, described::part(m.print),
-      option(m.template_name, "TEMPLATE", fmt::format("{}", fmt::join(template_names(), ", ")),
-             {.required = true}),
-      option(m.file, "FILE", "new case file; an existing file is not changed", {.required = true}));
+  described::members(list, m, described::part(m.print),
+                     option(m.template_name, "TEMPLATE", fmt::format("{}", fmt::join(template_names(), ", ")),
+                            {.required = true, .key = "template"}),
+                     option(m.file, "FILE", "new case file; an existing file is not changed",
+                            {.required = true, .key = "file"}));
 }
 
 int execute(const NewOptions& options);

@@ -31,7 +31,7 @@ inline void describe(OptionList& list, SpectrumOptions& m) {
       option(m.series, "SERIES",
              "records over time: CSV, output of OpenFAST (.out, .outb) or Bladed (.%NN, .$NN), or netCDF, "
              "with time, speed and torque or power of the driving member; several with --share or --hours",
-             {.required = true, .key = "folders"}),
+             {.required = true}),
       column(m.columns.torque, "--torque",
              "name of the column of torque; default: a column whose name begins with torque"),
       column(m.columns.power, "--power", "name of the column of power, instead of torque"),

@@ -21,7 +21,7 @@ struct OptionDetails {
   std::optional<described::Range> range{};  // of a number, both ends allowed
   bool required = false;
   std::string needs{};  // another option, without which this one cannot be given
-  std::string key{};    // in JSON; none: the name with _ for -, and none for a word by its place
+  std::string key{};    // in JSON; none: the name with _ for -, of a word by its place "folders"
   bool hidden = false;  // not in the help: the program gives it to itself
 };
 

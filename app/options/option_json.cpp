@@ -14,7 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string key_of(const Option& option) {
-  if (!option.details.key.empty() || is_positional(option)) return option.details.key;
+  if (!option.details.key.empty()) return option.details.key;
+  if (is_positional(option)) return "folders";
   std::string key = long_name(option).substr(2);
   std::replace(key.begin(), key.end(), '-', '_');
   return key;
@@ -65,8 +66,8 @@ void put_json(const Json& object, const OptionList& options, std::set<std::strin
   std::vector<std::string> mistakes;
   for (const auto& [key, value] : object.items()) {
     const std::vector<Json> values = values_of(value);
-    const auto known = std::ranges::find_if(
-        options, [&key = key](const Option& option) { return !key.empty() && key_of(option) == key; });
+    const auto known =
+        std::ranges::find_if(options, [&key = key](const Option& option) { return key_of(option) == key; });
     if (values.empty()) continue;
     if (known == options.end()) {
       const std::string word = word_of(key, values.front());

@@ -22,7 +22,7 @@ struct Request {
   std::vector<std::string> settings{};  // "path=value"
   /// A JSON object of the options of the command line by their names, with _ for -:
   /// {"fidelity": "dynamic", "jobs": 2}. Switches are true or false; what may be repeated is a list;
-  /// "folders" are those that report and merge take.
+  /// "folders" are the words by their place, such as the folders that report and merge take.
   std::string options = "{}";
   /// Called from any thread, one call at a time, with the progress of the computation; return false to stop
   /// it.

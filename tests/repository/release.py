@@ -48,10 +48,12 @@ def is_former(name):
 
 def stable_names():
     """Names that scripts rely on: commands, options, keys of cases and of JSON results, headers, functions of the Python package."""
-    command_line = text_of("app/commands/command_line.cpp")
-    names = {f"command {name}" for name in re.findall(r'table\.add\(\s*"(\w+)"', command_line)}
+    commands = ROOT / "app" / "commands"
+    files = [*commands.glob("*.hpp"), commands / "common_options.cpp", commands / "command_line.cpp", ROOT / "app/study/crown/crown_options.hpp"]
+    rows = "".join(file.read_text(encoding="utf-8") for file in files)  # of commands and their options
+    names = {f"command {name}" for name in re.findall(r'command = "(\w+)"', rows)}
     names |= {f"command {name}" for name in re.findall(r'^\s*\{+"(\w+)", "', text_of("app/commands/python_part.cpp"), re.M)}
-    names |= {f"option {name}" for name in set(re.findall(r'"(?:-\w,)?(--[a-z-]+)"', command_line)) - HIDDEN}
+    names |= {f"option {name}" for name in set(re.findall(r'"(?:-\w,)?(--[a-z-]+)"', rows)) - HIDDEN}
     for schema in json.loads(text_of("cases/case.schema.json"))["$defs"].values():
         names |= {f"case {key}" for key in keys_of(schema) if not key.startswith(("assumed.", "sweep."))}
     for group, schema in json.loads(text_of("cases/result.schema.json"))["$defs"].items():

@@ -65,7 +65,7 @@ TEST(Request, RefusesWhatNoCommandTakes) {
   EXPECT_THAT(refusal({.command = "run", .case_file = file, .options = R"({"fidelity": "fast"})"}), HasSubstr("fast not in"));
   EXPECT_REFUSED(BadInput, "interface.options", answer({.command = "run", .case_file = file, .options = "moon"}));
   EXPECT_REFUSED(BadInput, "interface.case", answer({.command = "merge", .case_file = file}));
-  EXPECT_REFUSED(BadInput, "interface.case", answer({.command = "validate", .given = Case::read(file)}));
+  EXPECT_REFUSED(BadInput, "interface.case in memory", answer({.command = "validate", .given = Case::read(file)}));
   EXPECT_REFUSED(BadInput, "interface.settings", answer({.command = "run", .given = Case::read(file), .settings = {"load.radial=5 kN"}}));
   EXPECT_THAT(refusal({.command = "run", .case_text = "name: x\nmodel: ball"}), HasSubstr("case.yaml:2:8: model"));
 }
