@@ -1,4 +1,4 @@
-// Fields of a duplex pair: how it is preloaded, what it carries, and what was measured on it.
+// Fields of a duplex pair: how it is preloaded, and what it carries.
 #include "app/case/field_table.hpp"
 #include "app/case/use_conditions.hpp"
 
@@ -59,13 +59,9 @@ void add_shaft(Rows& rows) {
 
 void add_linear(Rows& rows) {
   const Range above_zero = positive(1e6), lever{-1e4, 1e4};
-  const Use linear =
-      by_run()
-          .when(where("arrangement", {"face-to-face", "tandem"}))
-          .when(where_true(pair_run_has_linear_column,
-                           "where operation.shaft_speed is 0, or together with measured.preload"))
-          .used_too(use::duplex_modes,
-                    where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));
+  const Use linear = by_both()
+                         .when(where("arrangement", {"face-to-face", "tandem"}))
+                         .when(where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));
   const auto add = [&](const Dimension& dimension, const char* name, const char* meaning, Range range) {
     rows.quantity(std::string("linear.") + name,
                   std::string(meaning) + " for the linear formulas; left out: the shaft's", linear, dimension,
@@ -76,28 +72,6 @@ void add_linear(Rows& rows) {
   add(dimension::length, "second_lever", "distance of the second row from the mass centre", lever);
   add(dimension::inertia, "inertia_x", "inertia about x", above_zero);
   add(dimension::inertia, "inertia_y", "inertia about y", above_zero);
-}
-
-void add_measured(Rows& rows) {
-  rows.quantity("measured.contact_angle", "nominal contact angles of the pairs that were measured", by_run(),
-                dimension::angle, {0.0, 85.0})
-      .listed();
-  rows.quantity("measured.preload", "their preloads", by_run(), dimension::force, positive(1e9)).listed();
-  for (const auto& [name, motion] : {std::pair{"tilt_x", "rotation about x"},
-                                     {"tilt_y", "rotation about y"},
-                                     {"axial_z", "translation along the shaft"},
-                                     {"radial_x", "translation along x"},
-                                     {"radial_y", "translation along y"}})
-    rows.quantity(std::string("measured.") + name, std::string("their natural frequencies of ") + motion,
-                  by_run(), dimension::frequency, positive(1000.0))
-        .listed();
-  const Use identified = by_run().when(where_given({"measured.preload"}));
-  rows.quantity("identification.contact_angle",
-                "contact angle of the pairs whose frequencies identify the shaft", identified,
-                dimension::angle, {0.0, 85.0});
-  rows.quantity("identification.least_distance",
-                "least distance of both rows that identification may find: the width of a bearing",
-                identified, dimension::length, positive(1e4));
 }
 
 void add_response(Rows& rows) {
@@ -119,7 +93,6 @@ void add_duplex_fields(std::vector<Field>& fields) {
   add_preload(rows);
   add_shaft(rows);
   add_linear(rows);
-  add_measured(rows);
   add_response(rows);
 }
 

@@ -94,11 +94,6 @@ bool pair_has_linear_column(const ResolvedCase& in, std::string_view) {
          !is_nonzero(in, "operation.shaft_speed");
 }
 
-bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set) {
-  return pair_has_linear_column(in, set) ||
-         (in.has("measured.preload") && in.choice("arrangement") != "back-to-back");
-}
-
 bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
   if (!in.shape().several) return !is_chosen(in, "gearset.fixed", "carrier");
   return std::any_of(in.shape().sets.begin(), in.shape().sets.end(), [&](const std::string& name) {

@@ -1,10 +1,7 @@
 #include "app/study/duplex_study.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "app/case/static_case.hpp"
@@ -40,121 +37,10 @@ void warn(duplex::Arrangement arrangement, PairPoint& point) {
     point.warnings.push_back("preload: some balls are not loaded; the stiffness is that of the others");
 }
 
-// By the nonlinear equilibrium, whatever levers come.
-duplex::Observation observed(const ResolvedCase& in, const MeasuredPair& measured) {
-  const duplex::Arrangement arrangement = arrangement_of_pair(in);
-  const bearing::Bearing bearing = duplex_bearing_of(in, measured.contact_angle);
-  const duplex::PairState state =
-      duplex::balance_pair({.bearing = bearing,
-                            .arrangement = arrangement,
-                            .levers = {},
-                            .approach = duplex::approach_under(bearing, measured.preload)});
-  return {measured.frequency, [rows = state.rows, arrangement](const duplex::RowLevers& levers) {
-            return duplex::pair_stiffness(rows, arrangement, levers);
-          }};
-}
-
-duplex::Observation observed_linear(const ResolvedCase& in, const MeasuredPair& measured) {
-  const bearing::Bearing bearing = duplex_bearing_of(in, measured.contact_angle);
-  const duplex::PressedRow row =
-      duplex::pressed_row(bearing, duplex::approach_under(bearing, measured.preload));
-  return {measured.frequency,
-          [row](const duplex::RowLevers& levers) { return duplex::linear_stiffness(row, levers); }};
-}
-
 std::array<double, 5> frequencies_of(const duplex::PairModes& modes) {
   std::array<double, 5> found{};
   std::transform(modes.begin(), modes.end(), found.begin(), std::mem_fn(&duplex::PairMode::frequency));
   return found;
-}
-
-// Errors for the pairs used for identification, or for all others.
-FrequencyErrors errors_of(const std::vector<PredictedPair>& pairs, bool identified_from,
-                          std::array<double, 5> PredictedPair::*model) {
-  FrequencyErrors errors;
-  int count = 0;
-  for (const PredictedPair& pair : pairs) {
-    if (pair.identified_from != identified_from) continue;
-    for (std::size_t i = 0; i < 5; ++i, ++count) {
-      const double error = std::abs((pair.*model)[i] / pair.measured.frequency[i] - 1.0);
-      errors.mean += error;
-      errors.worst = std::max(errors.worst, error);
-    }
-  }
-  errors.mean /= count;  // NaN where there are none
-  if (count == 0) errors.worst = std::numeric_limits<double>::quiet_NaN();
-  return errors;
-}
-
-void add_errors(const std::vector<PredictedPair>& pairs, std::array<double, 5> PredictedPair::*model,
-                IdentifiedModel& identified) {
-  identified.fit = errors_of(pairs, true, model);
-  identified.prediction = errors_of(pairs, false, model);
-}
-
-std::vector<PredictedPair> pairs_of(const ResolvedCase& in) {
-  constexpr double same = 1e-9;  // [rad]
-  std::vector<PredictedPair> pairs;
-  for (const MeasuredPair& measured : measured_pairs_of(in)) {
-    PredictedPair pair{.measured = measured};
-    pair.identified_from =
-        std::abs(measured.contact_angle - in.quantity("identification.contact_angle")) < same;
-    pair.linear.fill(std::numeric_limits<double>::quiet_NaN());
-    pairs.push_back(pair);
-  }
-  return pairs;
-}
-
-// Predictions of one model: its constants from the chosen pairs, then all pairs with them.
-template <class ObservedBy, class Identify>
-duplex::Identified predict(const ResolvedCase& in, std::vector<PredictedPair>& pairs,
-                           std::array<double, 5> PredictedPair::*model, duplex::TiltPlanes planes,
-                           const ObservedBy& observed_by, const Identify& identify) {
-  std::vector<duplex::Observation> all, chosen;
-  for (const PredictedPair& pair : pairs) {
-    all.push_back(observed_by(in, pair.measured));
-    if (pair.identified_from) chosen.push_back(all.back());
-  }
-  const duplex::Identified found = identify(chosen);
-  const std::optional<duplex::Housing> housing = housing_of(in);
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    pairs[k].*model =
-        frequencies_of(duplex::modes_of(all[k].stiffness(found.shaft.levers), found.shaft, housing, planes));
-  return found;
-}
-
-Identification identification_of(const ResolvedCase& in) {
-  Identification found;
-  found.pairs = pairs_of(in);
-  const std::optional<duplex::Housing> housing = housing_of(in);
-  const double least_lever = 0.5 * in.quantity("identification.least_distance");
-  found.nonlinear.found =
-      predict(in, found.pairs, &PredictedPair::nonlinear, kPhysical, observed,
-              [&](const std::vector<duplex::Observation>& chosen) {
-                return duplex::identify_cylinder(chosen, *cylinder_of(in), least_lever, housing);
-              });
-  if (arrangement_of_pair(in) != duplex::Arrangement::back_to_back)
-    found.linear = {predict(in, found.pairs, &PredictedPair::linear, kPublished, observed_linear,
-                            [&](const std::vector<duplex::Observation>& chosen) {
-                              return duplex::identify_all(chosen, linear_shaft_of(in), kPublished, housing);
-                            }),
-                    {},
-                    {}};
-  add_errors(found.pairs, &PredictedPair::nonlinear, found.nonlinear);
-  if (found.linear) add_errors(found.pairs, &PredictedPair::linear, *found.linear);
-  return found;
-}
-
-// A fit at its bound, or one that does not end, gives little information on the shaft.
-void warn(const Identification& found, std::vector<std::string>& warnings) {
-  constexpr double vague = 0.2;  // of frequencies
-  if (!found.nonlinear.found.converged)
-    warnings.push_back(
-        "identification: the search for mass and lever did not end; its last values are given");
-  if (found.nonlinear.fit.worst > vague)
-    warnings.push_back(
-        fmt::format("identification: the model deviates from the measured frequencies by up to {:.0f} %",
-                    100.0 * found.nonlinear.fit.worst));
 }
 
 Response response_of(const ResolvedCase& in, const PairPoint& point) {
@@ -182,7 +68,7 @@ PairPoint balanced(const ResolvedCase& in) {
   const bearing::Bearing bearing = duplex_bearing_of(in);
   const duplex::Shaft shaft = duplex_shaft_of(in);
   PairPoint point{.linear = is_linear_pair(in)};
-  point.approach = pair_approach_of(in, bearing, in.quantity("preload"));
+  point.approach = pair_approach_of(in, bearing);
   const duplex::Arrangement arrangement = arrangement_of_pair(in);
   const bearing::equilibrium::RowMotion motion = pair_motion_of(in);
   point.state = balanced_at({bearing, arrangement, shaft.levers, point.approach}, motion);
@@ -277,22 +163,6 @@ void describe_balls(Record& record, const bearing::equilibrium::RingState& state
            state.outer_angle);
 }
 
-struct Prediction {
-  const PredictedPair* pair;
-  std::size_t mode;
-};
-
-void describe(Record& row, const Prediction& prediction) {
-  const auto& [pair, mode] = prediction;
-  row.value("contact_angle_deg", dimension::angle, "nominal", pair->measured.contact_angle);
-  row.value("preload_N", dimension::force, "of each row", pair->measured.preload);
-  row.value("kind", "of the mode", duplex::name_of(duplex::mode_kinds[mode]));
-  row.value("measured_Hz", dimension::cycles, "natural frequency", pair->measured.frequency[mode]);
-  row.value("nonlinear_Hz", dimension::cycles, "with the identified shaft", pair->nonlinear[mode]);
-  row.value("linear_Hz", dimension::cycles, "with the shaft identified for it", pair->linear[mode]);
-  row.value("identified_from", "whether the shaft was identified from the pair", pair->identified_from);
-}
-
 }  // namespace
 
 void describe(Record& record, const PairPoint& point) {
@@ -323,35 +193,6 @@ void describe(Record& row, const PairAtSpeed& at) {
   row.value("outer_angle_deg", dimension::angle, "the same", of_ball(angle, state.outer_angle));
   row.value("inner_load_max_N", dimension::force, "largest of all balls", of_ball(load, {}));
   row.value("outer_load_max_N", dimension::force, "of the same ball", of_ball(load, state.outer_load));
-}
-
-void describe(Record& record, const Identification& found) {
-  record.child("identified", "from the pairs identified from", found,
-               [](Record& models, const Identification& of) {
-                 models.child("nonlinear", "by the nonlinear equilibrium", of.nonlinear);
-                 models.child("linear", "by the linear formulas", of.linear);
-               });
-  std::vector<Prediction> predictions;
-  for (const PredictedPair& pair : found.pairs)
-    for (std::size_t mode = 0; mode < duplex::mode_kinds.size(); ++mode) predictions.push_back({&pair, mode});
-  record.table("predictions", "prediction", "measured and predicted frequencies", predictions).file =
-      "predictions.csv";
-  const auto of_pairs = [&](const char* name, const described::Dimension& of, const char* meaning,
-                            std::vector<described::Along> along, const auto& value) {
-    record.series(name, of, meaning, std::move(along), each(found.pairs, value));
-  };
-  of_pairs("measured_contact_angle", dimension::angle, "nominal", {"pair"},
-           [](const PredictedPair& pair) { return pair.measured.contact_angle; });
-  of_pairs("measured_preload", dimension::force, "of each row", {"pair"},
-           [](const PredictedPair& pair) { return pair.measured.preload; });
-  of_pairs("identified_from", {}, "1 where the shaft was identified from the pair", {"pair"},
-           [](const PredictedPair& pair) { return pair.identified_from ? 1 : 0; });
-  of_pairs("measured_frequency", dimension::cycles, "natural frequencies", {"pair", "mode"},
-           [](const PredictedPair& pair) { return pair.measured.frequency; });
-  of_pairs("nonlinear_frequency", dimension::cycles, "with the identified shaft", {"pair", "mode"},
-           &PredictedPair::nonlinear);
-  of_pairs("linear_frequency", dimension::cycles, "with the shaft identified for it", {"pair", "mode"},
-           &PredictedPair::linear);
 }
 
 void describe(Record& record, const Response& response) {
@@ -391,7 +232,6 @@ void describe(Record& record, const DuplexStudy& study) {
     record.table("over_speed", "speed", "the pair at operation.speeds", study.over_speed).file =
         "modes_over_speed.csv";
   describe_balance(record, study.point);
-  if (study.identification) describe(record, *study.identification);
   record.child("response", "of the shaft to a force", study.response).variable = "";
   describe_balls(record, study.point.state);
 }
@@ -414,7 +254,7 @@ std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& in) {
   const bearing::Bearing bearing = duplex_bearing_of(in);
   const duplex::Shaft shaft = duplex_shaft_of(in);
   const duplex::Pair pair{bearing, arrangement_of_pair(in), shaft.levers,
-                          pair_approach_of(in, bearing, in.quantity("preload"))};
+                          pair_approach_of(in, bearing)};
   bearing::equilibrium::RowMotion motion = pair_motion_of(in);
   for (const double speed : in.list("operation.speeds")) {
     motion.speeds.inner = speed;
@@ -430,8 +270,6 @@ DuplexStudy duplex_study(const ResolvedCase& in) {
   DuplexStudy study{.point = pair_point(in), .over_speed = pair_over_speed(in)};
   study.lives = lives_of(in, study.point.state);
   study.warnings = study.point.warnings;
-  if (in.has("measured.preload")) study.identification = identification_of(in);
-  if (study.identification) warn(*study.identification, study.warnings);
   study.response = response_of(in, study.point);
   return study;
 }

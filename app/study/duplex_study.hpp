@@ -1,5 +1,4 @@
-// A shaft on a duplex pair: modes, frequency response, and its constants identified from measured
-// frequencies.
+// A shaft on a duplex pair: modes and frequency response.
 #pragma once
 
 #include <complex>
@@ -35,49 +34,6 @@ struct PairPoint {
 /// Modes by the stiffness that the case selects, and by the other.
 void describe(described::Record& record, const PairPoint& point);
 
-/// A measured pair with the predictions of both models with their identified constants [Hz].
-struct PredictedPair {
-  MeasuredPair measured;
-  bool identified_from = false;
-  std::array<double, 5> nonlinear{};
-  std::array<double, 5> linear{};  // NaN back to back
-};
-
-/// Errors of frequencies against measured ones [-].
-struct FrequencyErrors {
-  double mean = 0.0;  // of magnitudes
-  double worst = 0.0;
-};
-
-inline void describe(described::Record& record, const FrequencyErrors& errors) {
-  using namespace described;
-  record.value("mean_percent", dimension::percent, "mean error of the frequencies", errors.mean);
-  record.value("worst_percent", dimension::percent, "largest error of a frequency", errors.worst);
-}
-
-/// Constants of one model identified from the measured frequencies, and its errors.
-struct IdentifiedModel {
-  bearing::duplex::Identified found;
-  FrequencyErrors fit;         // of the pairs identified from
-  FrequencyErrors prediction;  // of all others
-};
-
-inline void describe(described::Record& record, const IdentifiedModel& model) {
-  describe(record, model.found.shaft);
-  record.value("converged", "whether the search ended", model.found.converged);
-  record.value("iterations", "of the search", model.found.iterations);
-  record.child("fit", "of the pairs identified from", model.fit);
-  record.child("prediction", "of all other pairs", model.prediction);
-}
-
-struct Identification {
-  IdentifiedModel nonlinear;
-  std::optional<IdentifiedModel> linear;
-  std::vector<PredictedPair> pairs;
-};
-
-void describe(described::Record& record, const Identification& found);
-
 struct Response {
   double step = 0.0;                                             // [Hz]  from one step on
   std::array<std::vector<std::complex<double>>, 3> accelerance;  // [1/kg]  along x, y, z
@@ -104,8 +60,7 @@ struct PairLives {
 struct DuplexStudy {
   PairPoint point;
   PairLives lives;
-  std::vector<PairAtSpeed> over_speed;           // where the case states speeds
-  std::optional<Identification> identification;  // where the case holds measured frequencies
+  std::vector<PairAtSpeed> over_speed;  // where the case states speeds
   Response response;
   std::vector<std::string> warnings;
 };
