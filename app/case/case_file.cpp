@@ -63,6 +63,14 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
   return {};
 }
 
+// Hint for keys of blocks that were read before and are not any more; else empty.
+std::string retired_hint(const std::string& key, const std::string& prefix) {
+  if (!prefix.empty() || (key != "measured" && key != "identification")) return {};
+  return "a case without it is required: a shaft is no longer identified from measured frequencies. State "
+         "the "
+         "shaft as spindle.mass, spindle.first_lever, spindle.second_lever and spindle.diameter or inertias";
+}
+
 // Requirement for the message on the unknown `key` in the block of `prefix`.
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape,
                      unsigned models) {
@@ -70,6 +78,7 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   if (std::string hint = missing_kind_hint(key, prefix); !hint.empty()) return hint;
+  if (std::string hint = retired_hint(key, prefix); !hint.empty()) return hint;
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const bool of_other_models : {false, true})
     for (const Field& field : all_fields()) {
@@ -456,8 +465,8 @@ class Resolver {
     fill_source();
     for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
       if (field->default_text.empty() || !field->alternatives.empty() || data_.values.contains(path) ||
-          is_faulty(path) ||
-          is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
+          is_faulty(path) || is_of_missing_bearing({path, field}) ||
+          (field->default_without_bearing && has_bearing(path)))
         continue;
       data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};
       data_.assumed[path] = "default: " + field->default_reason;

@@ -10,7 +10,6 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
-#include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
@@ -286,7 +285,6 @@ void check_one_set(CheckedCase& in) {
   check_profile(in);
   check_static_bearing(in);
   check_defect(in);
-  check_duplex(in);
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
 
@@ -317,7 +315,7 @@ double planet_length(const ResolvedCase& in) {
 
 bool takes_part_in_consistency(std::string_view path) {
   return begins_with_one_of(path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.",
-                                   "housing.", "measured.", "identification.", "defect.", "signal.", "life.",
+                                   "housing.", "defect.", "signal.", "life.",
                                    "lubricant.kinematic", "parallel_stage."}) ||
          is_one_of(path,
                    {"stiffness", "arrangement", "operation.shaft_speed", "operation.outer_speed",

@@ -2,12 +2,63 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
+
+#include "app/case/machine_of.hpp"
 
 namespace orbearing::app {
 
 namespace {
+
+template <class Row>
+using InputsOfRow = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
+
+// Conditions beside the inputs of the analysis under which this one has an effect.
+template <class Row>
+std::vector<Condition> conditions_on(Row, const std::string& path) {
+  using Inputs = InputsOfRow<Row>;
+  std::vector<Condition> found;
+  if constexpr (requires { Inputs::conditions(); })
+    for (const auto& one : Inputs::conditions())
+      if (std::ranges::any_of(one.keys, [&](const std::string& key) { return path.starts_with(key); }))
+        found.push_back({.paths = one.on,
+                         .holds =
+                             [holds = one.holds](const ResolvedCase& in, std::string_view) {
+                               return in.model() == Row::model && holds(machine_of<Inputs>(in));
+                             },
+                         .text = one.text});
+  return found;
+}
+
+void add_use(Use& use, use::Analysis used, std::vector<Condition> conditions) {
+  if (conditions.empty())
+    use.by |= used;
+  else
+    use.ways.push_back({used, std::move(conditions)});
+}
+
+bool have_one_text(const std::vector<Condition>& some, const std::vector<Condition>& others) {
+  return std::ranges::equal(some, others, {}, &Condition::text, &Condition::text);
+}
+
+// Conditions that all analyses have are those of the field; others hold beside those of the field.
+void join_ways(Use& use) {
+  if (use.ways.empty()) return;
+  const std::vector<Condition> first = use.ways.front().conditions;
+  const bool shared = use.by == 0 && std::ranges::all_of(use.ways, [&](const Way& way) {
+                        return have_one_text(way.conditions, first);
+                      });
+  if (shared) {
+    for (const Way& way : use.ways) use.by |= way.by;
+    use.ways.clear();
+    use.conditions.insert(use.conditions.end(), first.begin(), first.end());
+  }
+  for (Way& way : use.ways)
+    way.conditions.insert(way.conditions.end(), use.conditions.begin(), use.conditions.end());
+}
 
 std::map<Model, std::vector<Field>> fields_by_model() {
   std::map<Model, std::vector<Field>> all;
@@ -17,13 +68,16 @@ std::map<Model, std::vector<Field>> fields_by_model() {
     describe(visit, machine);
     all[Row::model] = std::move(visit.fields);
   });
-  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    const std::vector<std::string> taken =
-        paths_of<typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type>();
+  MachineAnalyses::each([&]<class Row>(Row row, std::size_t number) {
+    const std::vector<std::string> taken = paths_of<InputsOfRow<Row>>();
     for (Field& field : all.at(Row::model))
-      if (std::ranges::find(taken, field.path) != taken.end())
-        field.use.by |= use_of_machine_analysis(number);
+      if (std::ranges::find(taken, field.path) == taken.end())
+        field.use.not_modelled_by |= use_of_machine_analysis(number);
+      else
+        add_use(field.use, use_of_machine_analysis(number), conditions_on(row, field.path));
   });
+  for (auto& [model, fields] : all)
+    for (Field& field : fields) join_ways(field.use);
   return all;
 }
 
@@ -32,14 +86,27 @@ const std::map<Model, std::vector<Field>>& all_machine_fields() {
   return all;
 }
 
+// Uses under a condition of the machine are ways of the field, whose own conditions are those of others.
+void merge(const Use& of_machine, Use& use) {
+  unsigned taken = of_machine.by;
+  if (of_machine.conditions.empty())
+    use.by |= of_machine.by;
+  else
+    use.ways.push_back({of_machine.by, of_machine.conditions});
+  for (const Way& way : of_machine.ways) {
+    use.ways.push_back(way);
+    taken |= way.by;
+  }
+  use.not_modelled_by = (use.not_modelled_by & ~taken) | of_machine.not_modelled_by;
+}
+
 void merge(const Field& of_machine, Field& field) {
   if (field.default_text != of_machine.default_text)
     throw std::logic_error(fmt::format("'{}' has two defaults: '{}' and '{}'", field.path, field.default_text,
                                        of_machine.default_text));
   field.models |= of_machine.models;
   field.required_by |= of_machine.required_by;
-  field.use.by |= of_machine.use.by;
-  field.use.not_modelled_by &= ~of_machine.use.by;
+  merge(of_machine.use, field.use);
 }
 
 }  // namespace

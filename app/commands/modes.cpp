@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/units.hpp"
@@ -13,7 +14,6 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/carrier_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 
 namespace orbearing::app {
@@ -68,14 +68,11 @@ ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
   return resolved;
 }
 
-int duplex_modes(const ResolvedCase& resolved, const Printing& print) {
-  const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
-  const PairPoint point = pair_point(resolved);
-  const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
-  Record record = record_of(point);
-  if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
-  present_record(resolved, record, joined(unused, point.warnings), print);
-  return std::ranges::any_of(over_speed, [](const PairAtSpeed& one) { return !one.modes; }) ? 1 : 0;
+int modes_of_machine(const MachineAnalysis& modes, const ResolvedCase& resolved, const Printing& print) {
+  const std::vector<std::string> unused = require_used(resolved, modes.used);
+  const AnalysisResult result = modes.compute(resolved, {});
+  present_record(resolved, result.record, joined(unused, result.warnings), print);
+  return result.failed ? 1 : 0;
 }
 
 }  // namespace
@@ -83,9 +80,10 @@ int duplex_modes(const ResolvedCase& resolved, const Printing& print) {
 int execute(const ModesOptions& options) {
   const bool turns = !options.speed.empty();
   const ResolvedCase resolved = point_for_modes(options.stated, turns);
-  if (is_duplex(resolved))
-    return duplex_modes(turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
-                        options.print);
+  if (const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes"))
+    return modes_of_machine(
+        *modes, turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
+        options.print);
   const double speed = speed_option(options.speed);
   if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options.speed);

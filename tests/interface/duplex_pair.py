@@ -59,8 +59,6 @@ def run_writes_its_files(work):
     assert done.returncode == 0, done.stderr
     result = json.loads(done.stdout)
     assert result == json.loads((work / "pair" / "duplex.json").read_text())
-    rows = list(csv.DictReader((work / "pair" / "predictions.csv").open()))
-    assert len(rows) == 30 and sum(row["identified_from"] == "true" for row in rows) == 15
     file = netCDF4.Dataset(work / "pair" / "points" / "00000.nc")
     assert file["mode_shape"].shape == (5, 5) and file["accelerance_z_real"].shape == file["frequency"].shape
     assert result["units"]["mass_kg"] == "kg" and result["units"]["accelerance_max_per_kg"] == "kg-1", result["units"]
@@ -71,8 +69,8 @@ def run_writes_its_files(work):
 
 def mistakes_are_named():
     for setting, word in (("preload=-1 N", "preload"), ("stiffness=elastic", "stiffness"),
-                          ("measured.preload=[3 N]", "measured.tilt_x"), ("spindle.inertia_x=1 kg.m2", "spindle.inertia_y"),
-                          ("identification.contact_angle=25 deg", "measured.contact_angle"),
+                          ("measured.preload=[3 N]", "no longer identified"), ("spindle.inertia_x=1 kg.m2", "spindle.diameter"),
+                          ("identification.contact_angle=25 deg", "no longer identified"),
                           ("operation.outer_speed=100 rpm", "operation"), ("housing.mass=3 kg", "housing.inertia")):
         done = call("modes", CASE, "--set", setting)
         assert done.returncode == 2 and word in done.stderr, (setting, done.stderr)

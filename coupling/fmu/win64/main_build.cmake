@@ -23,7 +23,7 @@ orbearing_win64_sources(gearset
   "^(drivetrain/|rim/|mesh/[^lp]|mesh/loaded/[^t]|mesh/loaded/tooth|mesh/planetary|dynamics/(modes|mode_kind|bodies|energy)|tooth_|planet_body|contact_path|working_geometry|gear_pair|mean_loads|assembly|involute|planet_pair)")
 orbearing_win64_sources(mechanics "^$")
 orbearing_win64_sources(bearing
-  "^pressure/|^catalogue/|^mounted_clearance|^pin_beam|^defect/|^duplex/|^film/|^equilibrium/(balls|jones_balls|planet_on_pin|rollers|row_group|static_bearing|lamina_stiffness|equilibrium_|aligned_|inclined_)|^life/(ball|life|rating|standard|inclined)_|^friction/|_avx[0-9]+\\.cpp$|^motion/balls/|^contact/ellipse_")
+  "^pressure/|^catalogue/|^mounted_clearance|^pin_beam|^defect/|^duplex/|^film/|^equilibrium/(balls|jones_balls|planet_on_pin|rollers|row_group|static_bearing|lamina_stiffness|equilibrium_|aligned_|inclined_)|^life/(ball|bearing|life|rating|standard|inclined)_|^friction/|_avx[0-9]+\\.cpp$|^motion/balls/|^contact/ellipse_")
 orbearing_win64_sources(coupling "^(study/|diagnosis/|cosim/|system/([^bd]|ball)|integration/integrate_switches)")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")

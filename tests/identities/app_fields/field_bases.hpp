@@ -182,15 +182,6 @@ bearing: {balls: 20, ball_diameter: 14.288 mm, pitch_diameter: 125.25 mm, contac
 spindle: {mass: 10 kg, first_lever: 29 mm, second_lever: 28 mm, diameter: 100 mm}
 housing: {mass: 30 kg, inertia: 0.2 kg.m2}
 linear: {mass: 9 kg, first_lever: 15 mm, second_lever: 17 mm, inertia_x: 0.047 kg.m2, inertia_y: 0.045 kg.m2}
-measured:
-  contact_angle: [15 deg, 15 deg, 30 deg]
-  preload: [540 N, 2550 N, 840 N]
-  tilt_x: [235 Hz, 326 Hz, 215 Hz]
-  tilt_y: [242 Hz, 349 Hz, 221 Hz]
-  axial_z: [454 Hz, 806 Hz, 784 Hz]
-  radial_x: [1175 Hz, 1618 Hz, 1144 Hz]
-  radial_y: [1226 Hz, 1647 Hz, 1248 Hz]
-identification: {contact_angle: 15 deg, least_distance: 80 mm}
 )";
 
 inline const std::string kSpinFilm = R"(name: a contact that rolls and spins
@@ -562,16 +553,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"equilibrium.gyroscopic_moment", {"none", rotating_balls}},
       {"arrangement", {"back-to-back"}},
       {"spacer_difference", {"2 um"}},
-      {"spindle.inertia_x", {"0.03 kg.m2", {}, {"spindle.inertia_y=0.03 kg.m2"}}},
-      {"spindle.inertia_y", {"0.03 kg.m2", {}, {"spindle.inertia_x=0.03 kg.m2"}}},
-      {"measured.contact_angle", {"[15 deg, 15 deg, 25 deg]"}},
-      {"measured.preload", {"[540 N, 2550 N, 900 N]"}},
-      {"measured.tilt_x", {"[236 Hz, 326 Hz, 215 Hz]"}},
-      {"measured.tilt_y", {"[243 Hz, 349 Hz, 221 Hz]"}},
-      {"measured.axial_z", {"[455 Hz, 806 Hz, 784 Hz]"}},
-      {"measured.radial_x", {"[1176 Hz, 1618 Hz, 1144 Hz]"}},
-      {"measured.radial_y", {"[1227 Hz, 1647 Hz, 1248 Hz]"}},
-      {"identification.contact_angle", {"30 deg"}},
+      {"spindle.inertia_x", {"0.03 kg.m2", {}, {"spindle.inertia_y=0.03 kg.m2", "spindle.diameter=null"}}},
+      {"spindle.inertia_y", {"0.03 kg.m2", {}, {"spindle.inertia_x=0.03 kg.m2", "spindle.diameter=null"}}},
       {"response.position", {"40 mm"}},
       {"life.minimum_load", {"0.03", {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}}},
       {"requirements.life", {"1000 h"}},
