@@ -53,7 +53,10 @@ class DescribedCase {
   void read(Count& member, const Facts& facts) {
     member = in_.integer(facts.path);
   }
-  void read(std::optional<double>& member, const Facts& facts) { read(member.emplace(), facts); }
+  template <class Value>
+  void read(std::optional<Value>& member, const Facts& facts) {
+    read(member.emplace(), facts);
+  }
   void read(double& member, const Facts& facts) {
     const bool plain = facts.details.dimension.name.empty();
     member = plain ? in_.number(facts.path) : in_.quantity(facts.path);

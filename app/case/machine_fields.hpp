@@ -31,9 +31,8 @@ void each_alternative(const Call& call) {
 template <class T>
 inline constexpr bool is_list_of_parts = false;
 template <class Part>
-inline constexpr bool is_list_of_parts<std::vector<Part>> =
-    std::is_class_v<Part>&& std::is_aggregate_v<Part> && !requires {
-  std::tuple_size<Part>::value;
+inline constexpr bool is_list_of_parts<std::vector<Part>> = requires(Part part, int visitor) {
+  describe(visitor, part);
 };
 
 /// Members that a case may leave out: absent ones, and lists of numbers, which are empty then.

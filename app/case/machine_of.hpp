@@ -1,12 +1,17 @@
 // The structure of a machine, or of a part of its inputs, from a case.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/field_table.hpp"
 #include "app/case/machine_fields.hpp"
+#include "app/case/oil_case.hpp"
+#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -21,12 +26,25 @@ class MachineFromCase {
     const bool there = in_.has(facts.path);
     if (looking_)
       found_ = found_ || there;
-    else if (!there)
+    else if (!there && !is_expected(facts.path))
+      return;
+    else if (is_of_missing_cage(facts.path))
       return;
     else if constexpr (is_list_of_parts<Member>)
       read_rows(member, facts.path);
     else
       DescribedCase(in_).read_value(member, facts);
+  }
+
+  // Members that a case states by several inputs.
+  void operator()(bearing::profile::Profile& member, const described::Facts& facts) {
+    if (facts.path == "bearing.profile") member = roller_profile_of(in_);
+  }
+  void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
+    if (in_.has(facts.path)) member = graded_oil(in_);
+  }
+  void operator()(std::optional<bearing::friction::BearingSize>& member, const described::Facts&) {
+    member = size_of(in_);
   }
 
   template <class Self, class Variant>
@@ -56,6 +74,14 @@ class MachineFromCase {
   }
 
  private:
+  // Values that always follow from others must be there.
+  bool is_expected(const std::string& path) const {
+    return follows_always(path) && (find_field(path)->models & in_.model()) != 0;
+  }
+  bool is_of_missing_cage(const std::string& path) const {
+    return path.starts_with("bearing.cage.") && is_full_complement(in_);
+  }
+
   // Numbers of one row after another.
   class Row {
    public:

@@ -102,6 +102,12 @@ void add_derived(const described::Record& record, const std::string& prefix, std
 
 }  // namespace
 
+std::vector<Derived> derived_rows(const described::Record& record, const std::string& prefix) {
+  std::vector<Derived> rows;
+  add_derived(record, prefix, rows);
+  return rows;
+}
+
 std::vector<Derived> machine_quantities(const ResolvedCase& in) {
   std::vector<Derived> rows;
   Machines::each([&]<class Row>(Row, std::size_t) {
@@ -109,7 +115,7 @@ std::vector<Derived> machine_quantities(const ResolvedCase& in) {
       if (in.model() == Row::model) {
         described::Record record;
         describe(record, quantities_of(machine_of<typename Row::Type>(in)));
-        add_derived(record, std::string(Row::prefix), rows);
+        rows = derived_rows(record, std::string(Row::prefix));
       }
   });
   return rows;

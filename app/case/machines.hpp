@@ -40,6 +40,8 @@ auto computed_for(const ResolvedCase& in, const Compute& compute) {
 /// Mistakes in the inputs of a machine: missing values, or values that do not fit together.
 void check_machine(CheckedCase& in);
 
+/// The numbers of a record as derived quantities, whose paths begin with `prefix`.
+std::vector<Derived> derived_rows(const described::Record& record, const std::string& prefix = "");
 /// Quantities derived from the inputs of a machine.
 std::vector<Derived> machine_quantities(const ResolvedCase& in);
 

@@ -1,10 +1,8 @@
 #include "app/case/static_case.hpp"
 
-#include <cmath>
-
-#include "app/case/catalogue_case.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/profile_case.hpp"
+#include "app/case/machine_of.hpp"
+#include "app/case/machines.hpp"
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -14,34 +12,47 @@ std::optional<double> stated(const ResolvedCase& in, const char* path) {
   return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
 }
 
+// The result of an analysis; its failure with the name of the case.
+template <class Analyse>
+auto result_of(const ResolvedCase& in, const Analyse& analyse) {
+  try {
+    return analyse();
+  } catch (const analysis::NoResult& error) {
+    throw ComputationFailed(in.text("name") + ": " + error.what());
+  }
+}
+
 }  // namespace
 
-bearing::Bearing bearing_of(const ResolvedCase& in) {
-  bearing::Bearing bearing;
-  if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
-  bearing = from_case(in, bearing);
-  if (is_full_complement(in)) bearing.cage = {};
-  // Values that a case does not state by fields alone.
-  if (auto* rollers = std::get_if<bearing::CylindricalRollers>(&bearing.elements)) {
-    if (rollers->laminae == 0) rollers->laminae = default_laminae;
-    rollers->profile = roller_profile_of(in);
-  }
-  bearing.motions = bearing::rating::rotating(
-      in.choice("operation.turning_race") == "outer" ? bearing::Race::outer : bearing::Race::inner);
-  return bearing;
+bool is_static_bearing(const ResolvedCase& resolved) {
+  return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
 }
 
-bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
-  return from_case<bearing::equilibrium::RingLoad>(in);
+bool is_ball_run(const ResolvedCase& resolved) {
+  return resolved.model() == described::ball_motion;
 }
 
-bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& in) {
-  bearing::equilibrium::RowMotion motion{
-      .speeds = {in.quantity("operation.shaft_speed"), in.quantity("operation.outer_speed")}};
-  if (in.model() != ball_bearing) return motion;
-  motion.inertia = from_case<bearing::equilibrium::BallInertia>(in);
-  if (in.flag("film.enabled")) motion.film = from_case<bearing::Lubricant>(in);
-  return motion;
+analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {
+  if (!is_static_bearing(in))
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   "; required: roller-bearing or ball-bearing");
+  return result_of(in, [&] {
+    return in.model() == roller_bearing
+               ? analysis::rollers_under_load(machine_of<analysis::RollersUnderLoad>(in))
+               : analysis::balls_under_load(machine_of<analysis::BallsUnderLoad>(in));
+  });
+}
+
+analysis::BallRun ball_run(const ResolvedCase& in, const std::function<void(double)>& progress) {
+  return result_of(in,
+                   [&] { return analysis::run_of_balls(machine_of<analysis::BallsInTime>(in), progress); });
+}
+
+std::vector<Derived> static_quantities(const ResolvedCase& in) {
+  described::Record record;
+  describe(record, in.model() == roller_bearing ? quantities_of(machine_of<analysis::RollersUnderLoad>(in))
+                                                : quantities_of(machine_of<analysis::BallsUnderLoad>(in)));
+  return derived_rows(record);
 }
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
@@ -52,34 +63,6 @@ bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
   if (in.has("life.stress_riser"))
     ratings.stress_riser = *value_named<bearing::rating::StressRiser>(in.choice("life.stress_riser"));
   return ratings;
-}
-
-bearing::balls::MotionParameters ball_motion_of(const ResolvedCase& in) {
-  return from_case<bearing::balls::MotionParameters>(in);
-}
-
-bearing::balls::BallDuty ball_duty_of(const ResolvedCase& in) {
-  using bearing::balls::RingDrive;
-  const double speed = in.quantity("operation.shaft_speed");
-  const double acceleration = in.quantity("operation.shaft_acceleration");
-  const bearing::equilibrium::RingLoad load = ring_load_of(in);
-  bearing::balls::BallDuty duty;
-  duty.inner = acceleration > 0.0 ? RingDrive{0.0, std::copysign(acceleration, speed), speed}
-                                  : RingDrive::steady(speed);
-  duty.outer = RingDrive::steady(in.quantity("operation.outer_speed"));
-  // A tilt moves the ring forward where x or y is positive: its axis leans the other way.
-  duty.on_inner = {{load.radial, 0.0, load.axial, -load.moment, -load.moment_across}};
-  return duty;
-}
-
-system::BallRunOptions ball_run_options_of(const ResolvedCase& in) {
-  system::BallRunOptions options = from_case<system::BallRunOptions>(in);
-  options.first_ball = in.quantity("bearing.first_element_angle");
-  return options;
-}
-
-system::HeatParameters heat_of(const ResolvedCase& in) {
-  return from_case<system::HeatParameters>(in);
 }
 
 }  // namespace orbearing::app

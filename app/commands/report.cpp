@@ -8,6 +8,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
+#include "app/case/static_case.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/python_part.hpp"
@@ -16,12 +17,10 @@
 #include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/analysis.hpp"
-#include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
-#include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"
 #include "bearing/life/rating_record.hpp"
+#include "mechanics/number_text.hpp"
 
 namespace orbearing::app {
 
@@ -78,16 +78,7 @@ TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::
 }
 
 double in_table_unit(double value, double per_unit) {
-  if (!std::isfinite(value)) return not_given;
-  if (per_unit == 1.0) return value;
-  constexpr int digits_after_first = 14;
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value * per_unit, std::chars_format::scientific,
-                                 digits_after_first)
-                       .ptr;
-  double rounded = not_given;
-  std::from_chars(text, end, rounded);
-  return std::isfinite(rounded) ? rounded : not_given;
+  return mechanics::in_unit(value, per_unit);
 }
 
 double speed_in_rpm(double speed) {

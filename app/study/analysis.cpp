@@ -6,12 +6,13 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/machines.hpp"
+#include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/results/life_table.hpp"
 #include "app/results/verdicts.hpp"
-#include "app/study/ball_study.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_study.hpp"
 #include "app/units.hpp"
 #include "coupling/study/planet_scratch.hpp"
 #include "mechanics/constants.hpp"
@@ -39,7 +40,7 @@ AnalysisResult described_result(const Study& study) {
 template <class Study>
 AnalysisResult rated_result(const ResolvedCase& in, const Study& study) {
   AnalysisResult result = described_result(study);
-  const LifeTable table = study.life_table();
+  const analysis::LifeTable table = study.life_table();
   const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(in), table.value);
   describe_verdicts(result.record, verdicts);
   result.heading = lives_text(table) + "\n" + verdicts_text(verdicts) + (verdicts.empty() ? "" : "\n");
@@ -47,11 +48,13 @@ AnalysisResult rated_result(const ResolvedCase& in, const Study& study) {
 }
 
 AnalysisResult bearing_at_rest(const ResolvedCase& in, const AnalysisOptions&) {
-  return rated_result(in, static_study(in));
+  AnalysisResult result = rated_result(in, bearing_under_load(in));
+  result.warnings = joined(rating_warnings(in), result.warnings);
+  return result;
 }
 
 AnalysisResult balls_in_time(const ResolvedCase& in, const AnalysisOptions& options) {
-  return rated_result(in, ball_study(in, options.progress));
+  return rated_result(in, ball_run(in, options.progress));
 }
 
 AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const AnalysisOptions& options) {

@@ -12,16 +12,15 @@
 
 #include "app/case/defect_case.hpp"
 #include "app/case/set_case.hpp"
+#include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/worst_bearing.hpp"
-#include "app/study/ball_study.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_study.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/parallel.hpp"
 

@@ -14,6 +14,7 @@
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
@@ -22,24 +23,6 @@ namespace orbearing::app {
 namespace {
 
 namespace rating = bearing::rating;
-
-rating::Lubrication lubrication_of(const ResolvedCase& in) {
-  const std::string& found = in.choice("life.lubrication");
-  if (found == "oil-bath") return rating::Lubrication::oil_bath;
-  return found == "grease" ? rating::Lubrication::grease : rating::Lubrication::circulating_oil;
-}
-
-// Words, and the equivalent codes of ISO 4406 where oil circulates.
-rating::Cleanliness cleanliness_of(const std::string& found) {
-  constexpr std::array<std::array<const char*, 2>, 5> levels{{{"highest", "-/13/10"},
-                                                              {"high", "-/15/12"},
-                                                              {"medium", "-/17/14"},
-                                                              {"low", "-/19/16"},
-                                                              {"lowest", "-/21/18"}}};
-  const auto level = std::find_if(levels.begin(), levels.end(),
-                                  [&](const auto& names) { return found == names[0] || found == names[1]; });
-  return static_cast<rating::Cleanliness>(level - levels.begin());
-}
 
 bool says_any(const ResolvedCase& in, const std::array<std::string_view, 2>& paths) {
   return std::ranges::any_of(paths, [&](std::string_view path) { return in.has(std::string(path)); });
@@ -166,8 +149,10 @@ std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {
     oil.kinematic_viscosity = in.quantity("lubricant.viscosity") / oil_density(in);
   }
   if (in.has("life.contamination_factor")) oil.contamination_factor = in.number("life.contamination_factor");
-  if (in.has("life.lubrication")) oil.lubrication = lubrication_of(in);
-  if (in.has("life.cleanliness")) oil.cleanliness = cleanliness_of(in.choice("life.cleanliness"));
+  if (in.has("life.lubrication"))
+    oil.lubrication = *value_named<rating::Lubrication>(in.choice("life.lubrication"));
+  if (in.has("life.cleanliness"))
+    oil.cleanliness = *value_named<rating::Cleanliness>(in.choice("life.cleanliness"));
   return oil;
 }
 

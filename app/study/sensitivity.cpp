@@ -16,7 +16,6 @@
 #include "app/results/result_row.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_study.hpp"
 #include "app/units.hpp"
 #include "bearing/life/rating_record.hpp"
 
@@ -176,7 +175,7 @@ Lives lives_at_rest(const ResolvedCase& in) {
       return lives;
     }
     if (!is_static_bearing(in)) return {};
-    const LifeValue value = static_study(in).life_table().value;
+    const analysis::LifeValue value = bearing_under_load(in).life_table().value;
     const bool timed = std::isfinite(value("life_h"));
     Lives lives;
     for (const char* name : {"L10", "L10r", "L10m", "L10mr", "life"}) {
@@ -220,7 +219,7 @@ std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Inp
     for (std::vector<Setting>& other : others) {
       const std::string laminae =
           input.path.substr(0, input.path.size() - field.path.size()) + "bearing.laminae";
-      if (!in.has(laminae)) other.push_back({laminae, std::to_string(default_laminae)});
+      if (!in.has(laminae)) other.push_back({laminae, std::to_string(analysis::default_laminae)});
     }
   if (field.kind == Kind::flag) others.push_back({{input.path, in.flag(input.path) ? "false" : "true"}});
   if ((field.kind == Kind::quantity || field.kind == Kind::number) && in.value(input.path).number != 0.0)

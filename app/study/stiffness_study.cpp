@@ -13,13 +13,10 @@
 
 #include "app/case/machine_of.hpp"
 #include "app/case/machines.hpp"
-#include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_study.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
-#include "bearing/equilibrium/row_group.hpp"
 
 namespace orbearing::app {
 
@@ -27,46 +24,20 @@ namespace {
 
 namespace equilibrium = bearing::equilibrium;
 namespace laminae = bearing::laminae;
+using analysis::default_laminae;
 
 std::vector<double> list_or(const ResolvedCase& in, const char* path, double otherwise) {
   return in.has(path) ? in.list(path) : std::vector<double>{otherwise};
 }
 
-equilibrium::RingLoad scaled(equilibrium::RingLoad load, double factor) {
-  load.radial *= factor;
-  load.axial *= factor;
-  load.moment *= factor;
-  load.moment_across *= factor;
-  return load;
-}
-
-StiffnessPoint single_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
-                            const equilibrium::RingLoad& load) {
-  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
-  StiffnessPoint point{.speed = bearing.has_rollers() ? 0.0 : motion.speeds.inner,
-                       .load = {{"radial_N", load.radial},
-                                {"axial_N", load.axial},
-                                {"moment_N_m", state.moment},
-                                {"moment_across_N_m", state.lateral_moment}}};
-  if (!state.report.converged) {
-    point.status = state.report.message;
-    return point;
-  }
-  point.stiffness = equilibrium::stiffness_by_axes(state);
-  point.displacement = equilibrium::displacement_by_axes(state);
-  point.largest_pressure = state.largest_pressure;
-  return point;
-}
-
 // Effect of a profile that the case does not state, on the first point.
-std::optional<std::string> warning_of_profile(const ResolvedCase& in, bearing::Bearing bearing,
-                                              const equilibrium::RowMotion& motion,
+std::optional<std::string> warning_of_profile(const ResolvedCase& in, analysis::RollerSupport rollers,
                                               const StiffnessPoint& point) {
   const char* path = "bearing.profile.kind";
   if (!in.has(path) || in.origin(path) != "default" || !point.stiffness) return std::nullopt;
-  bearing.rollers().profile = {};
-  const double factor = list_or(in, "operation.load_factors", 1.0).front();
-  const StiffnessPoint straight = single_point(bearing, motion, scaled(ring_load_of(in), factor));
+  rollers.bearing.rollers().profile = {};
+  if (!rollers.load_factors.empty()) rollers.load_factors.resize(1);
+  const StiffnessPoint straight = stiffness_of_rollers(rollers).points.front();
   if (!straight.stiffness) return std::nullopt;
   const auto change = [&](int axis) {
     return 100.0 * ((*straight.stiffness)(axis, axis) / (*point.stiffness)(axis, axis) - 1.0);
@@ -77,34 +48,14 @@ std::optional<std::string> warning_of_profile(const ResolvedCase& in, bearing::B
       path, in.choice(path), change(0), change(1));
 }
 
-StiffnessStudy single_stiffness(const ResolvedCase& in) {
-  const bearing::Bearing bearing = bearing_of(in);
-  equilibrium::RowMotion motion = row_motion_of(in);
-  StiffnessStudy study{
-      .series = 0,
-      .frame =
-          "inner ring against the outer one; x along the radial load, z along the axis; load.moment_across "
-          "acts about x, load.moment about -y",
-      .damping =
-          "a static equilibrium has none; the film depends on speed and load only, not on the rate of "
-          "approach"};
-  const std::vector<double> speeds = list_or(in, "operation.speeds", motion.speeds.inner);
-  for (const double factor : list_or(in, "operation.load_factors", 1.0)) {
-    for (const double speed : speeds) {
-      motion.speeds.inner = speed;
-      study.points.push_back(single_point(bearing, motion, scaled(ring_load_of(in), factor)));
-      study.points.back().series = study.series;
-    }
-    ++study.series;
-  }
-  if (in.model() == roller_bearing && !in.has("bearing.laminae"))
+StiffnessStudy roller_stiffness(const ResolvedCase& in) {
+  const auto rollers = machine_of<analysis::RollerSupport>(in);
+  StiffnessStudy study = stiffness_of_rollers(rollers);
+  if (!in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are used, and stiffness depends on their number", default_laminae));
-  if (in.model() == roller_bearing) {
-    motion.speeds.inner = speeds.front();
-    if (const auto warning = warning_of_profile(in, bearing, motion, study.points.front()))
-      study.warnings.push_back(*warning);
-  }
+  if (const auto warning = warning_of_profile(in, rollers, study.points.front()))
+    study.warnings.push_back(*warning);
   return study;
 }
 
@@ -192,8 +143,10 @@ StiffnessStudy planet_stiffness_of(const ResolvedCase& in) {
 
 StiffnessStudy stiffness_study(const ResolvedCase& in) {
   StiffnessStudy study;
-  if (is_static_bearing(in)) {
-    study = single_stiffness(in);
+  if (in.model() == roller_bearing) {
+    study = roller_stiffness(in);
+  } else if (in.model() == ball_bearing) {
+    study = stiffness_of_balls(machine_of<analysis::BallSupport>(in));
   } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
     study = planet_stiffness_of(in);
   } else if (in.model() == duplex_pair) {
@@ -207,56 +160,6 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
     if (!point.stiffness)
       study.warnings.push_back(fmt::format("{:.6g} rpm: {}", speed_in_rpm(point.speed), point.status));
   return study;
-}
-
-namespace {
-
-using described::Record;
-namespace dimension = described::dimension;
-
-constexpr const char* kOfRing = "x, y, z [m], tilt about x, tilt about y [rad]";
-
-}  // namespace
-
-void describe(Record& row, const StiffnessPoint& point) {
-  row.value("speed_rpm", dimension::angular_speed, "of the inner ring; of a drivetrain, of its input",
-            point.speed);
-  row.child("load", "on the ring that moves", point, [](Record& loads, const StiffnessPoint& of) {
-    for (const auto& [name, value] : of.load)
-      loads.value(name, name.ends_with("_m") ? dimension::torque : dimension::force, "", value);
-  });
-  if (!point.set.empty()) row.value("set", "whose planet bearing", point.set);
-  if (point.stiffness) {
-    row.array("stiffness", {},
-              "rows and columns x, y, z, tilt about x, tilt about y: N/m, N/rad, N m/m, N m/rad",
-              {"row", "column"}, *point.stiffness);
-    row.array("displacement", {}, kOfRing, {"row"}, point.displacement);
-  } else {
-    row.nothing("stiffness", "no static equilibrium");
-    row.nothing("displacement", "no static equilibrium");
-  }
-  if (point.largest_pressure)
-    row.value("pressure_max_MPa", dimension::pressure, "after Hertz", point.largest_pressure);
-  row.nothing("damping", "none");
-  row.value("status", "ok, or the reason why there is no static equilibrium", point.status);
-  row.value("series", "points that belong to one table over speed", point.series);
-}
-
-void describe(Record& record, const StiffnessStudy& study) {
-  record.table("points", "point", study.frame, study.points).variable = "";
-  record.value("order", "of rows and columns", described::Texts{"x", "y", "z", "tilt_x", "tilt_y"});
-  record.child("units", "of the stiffness", study, [](Record& units, const StiffnessStudy&) {
-    units.value("force_by_place", "", "N/m");
-    units.value("force_by_tilt", "", "N/rad");
-    units.value("moment_by_place", "", "N m/m");
-    units.value("moment_by_tilt", "", "N m/rad");
-    units.value("displacement", "", "m, rad");
-  });
-  record.value("frame", "relative motion", study.frame);
-  record.child("damping", "of the ring", study, [](Record& damping, const StiffnessStudy& of) {
-    damping.nothing("value", "none");
-    damping.value("reason", "why there is none", of.damping);
-  });
 }
 
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "app/case/case_file.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/case/static_case.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "bearing/life/rating_lives.hpp"
@@ -106,9 +106,10 @@ TEST(StandardLives, OfAPlanetBearingAreThoseOfTheSingleOne) {
   const study::PointResult planet = point(parse_case(kPlanet, "planet.yaml", {}));
   const double load = planet.planet_load;
   const ResolvedCase in = parse_case(kSingle, "single.yaml", {"load.radial=" + std::to_string(load) + " N"});
-  const StaticStudy study = static_study(in);
+  const auto inputs = machine_of<analysis::RollersUnderLoad>(in);
+  const analysis::BearingUnderLoad study = rollers_under_load(inputs);
   const RatingLives single = bearing::rating::rating_lives(
-      bearing::rating::bearing_rating(bearing_of(in), stated_ratings_of(in)),
+      bearing::rating::bearing_rating(rotating_bearing(inputs.loaded), stated_ratings(inputs)),
       {.dynamic_load = load, .static_load = load, .oil = bearing::rating::OilCondition{1.0, 0.8}},
       {study.state.contact_load, study.state.lamina_load},
       {study.state.contact_load, study.state.lamina_load});

@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "app/case/case_file.hpp"
-#include "app/study/ball_study.hpp"
+#include "app/case/static_case.hpp"
 
 namespace orbearing::app::app_ball_runs_test {
 namespace {
 
-BallStudy study_of(const std::string& name, const std::vector<std::string>& settings) {
-  return ball_study(read_case(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings));
+analysis::BallRun study_of(const std::string& name, const std::vector<std::string>& settings) {
+  return ball_run(read_case(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings));
 }
 
 // From rest: a fifth of a second holds a turn of the cage at the lowest speed.
-std::vector<BallStudy> conditions() {
-  std::vector<BallStudy> all;
+std::vector<analysis::BallRun> conditions() {
+  std::vector<analysis::BallRun> all;
   for (const auto& [speed, load] :
        {std::pair{"1730 rpm", "938 N"}, {"3703 rpm", "903 N"}, {"1785 rpm", "266 N"}, {"3998 rpm", "206 N"}})
     all.push_back(study_of("deep_groove_motor",
@@ -33,13 +33,13 @@ std::vector<BallStudy> conditions() {
 // Figs. 7 and 8: heavy loads and high speeds give short lives, with the balls' own failure (Eq. (35)) and
 // without; slip falls from all of it; the cage is struck at the start and hardly after.
 TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
-  const std::vector<BallStudy> all = conditions();
-  for (const auto life : {&BallStudy::life_hours, &BallStudy::life_with_balls_hours}) {
+  const std::vector<analysis::BallRun> all = conditions();
+  for (const auto life : {&analysis::BallRun::life_hours, &analysis::BallRun::life_with_balls_hours}) {
     EXPECT_LT(all[1].*life, all[0].*life);
     EXPECT_LT(all[0].*life, all[3].*life);
     EXPECT_LT(all[3].*life, all[2].*life);
   }
-  for (const BallStudy& study : all) {
+  for (const analysis::BallRun& study : all) {
     EXPECT_LT(study.life_with_balls_hours, study.life_hours);
     const system::BallSeries& series = study.run.series;
     EXPECT_EQ(series.cage_slip.front(), 1.0);
@@ -60,7 +60,7 @@ TEST(Nasa35mm, HeatIsWithinAFifth) {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};
   for (const auto& [speed, heat] : measured) {
     const std::string at = std::string("operation.shaft_speed=") + speed;
-    const BallStudy study = study_of("nasa_35mm", {at, "simulation.duration=0.04 s"});
+    const analysis::BallRun study = study_of("nasa_35mm", {at, "simulation.duration=0.04 s"});
     const bearing::balls::BallPowerLoss& loss = study.run.means.loss;
     EXPECT_GT(loss.total(), 0.8 * heat) << speed;
     EXPECT_LT(loss.total(), 1.2 * heat) << speed;

@@ -12,22 +12,20 @@
 #include "app/case/analysis_names.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/static_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/verdicts.hpp"
-#include "app/study/ball_study.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/fidelity.hpp"
-#include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/resonance_lines.hpp"
-#include "app/study/static_study.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/fmu/model.hpp"
@@ -191,9 +189,9 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::fmu_gearset:
       return machine_result(gear_numbers(in), false);
     case use::static_load:
-      return rated_text(in, static_study(in));
+      return rated_text(in, bearing_under_load(in));
     case use::ball_run:
-      return rated_text(in, ball_study(in));
+      return rated_text(in, ball_run(in));
     case use::defect:
       return record_text(defect_study(in));
     case use::moving_defect:

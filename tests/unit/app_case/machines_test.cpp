@@ -15,6 +15,7 @@
 #include "coupling/analysis/contact_film.hpp"
 #include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 
 namespace orbearing::app::machines_test {
 namespace {
@@ -150,6 +151,47 @@ TEST(MachineOf, HoldsTheShaftAndTheHousingThatAreStated) {
   const bearing::duplex::Shaft linear = pair_of({"linear.mass=9 kg"}).linear_shaft();
   EXPECT_EQ(linear.mass, 9.0);
   EXPECT_DOUBLE_EQ(linear.levers.second, 28e-3);
+}
+
+const std::string rollers = R"(name: rollers
+model: roller-bearing
+load: {radial: 3 kN}
+operation: {shaft_speed: 3000 rpm, turning_race: outer}
+bearing:
+  type: cylindrical-roller
+  rollers: 12
+  roller_diameter: 10 mm
+  roller_length: 12 mm
+  pitch_diameter: 60 mm
+  radial_clearance: 5 um
+)";
+
+TEST(MachineOf, HasWhatACaseStatesBySeveralInputs) {
+  const auto plain = machine_of<analysis::RollersUnderLoad>(read(rollers));
+  EXPECT_EQ(plain.loaded.rotation.turning_race, bearing::Race::outer);
+  EXPECT_EQ(plain.loaded.bearing.rollers().laminae, analysis::default_laminae);
+  EXPECT_EQ(kind(plain.loaded.bearing.rollers().profile), "iso16281");
+  EXPECT_FALSE(plain.loaded.oil.grade || plain.loaded.size || plain.loaded.life.cleanliness);
+  const auto stated = machine_of<analysis::RollersUnderLoad>(
+      read(rollers, {"bearing.profile.kind=straight", "bearing.laminae=12", "lubricant.grade=ISO VG 68",
+                     "lubricant.temperature=60 degC", "life.cleanliness=-/17/14", "bearing.bore=40 mm",
+                     "bearing.outside_diameter=80 mm", "bearing.width=18 mm"}));
+  EXPECT_EQ(stated.loaded.bearing.rollers().laminae, 12);
+  EXPECT_EQ(kind(stated.loaded.bearing.rollers().profile), "straight");
+  ASSERT_TRUE(stated.loaded.oil.grade && stated.loaded.oil.kinematic_viscosity && stated.loaded.size);
+  EXPECT_DOUBLE_EQ(stated.loaded.oil.grade->viscosity_40, 68e-6);
+  EXPECT_EQ(stated.loaded.oil.temperature, 60.0);
+  EXPECT_EQ(stated.loaded.life.cleanliness, bearing::rating::Cleanliness::medium);
+  EXPECT_DOUBLE_EQ(stated.loaded.size->outside, 80e-3);
+}
+
+TEST(MachineOf, LeavesOutTheCageOfAFullComplement) {
+  const std::vector<std::string> cage{"bearing.cage.inner_diameter=57 mm", "bearing.cage.outer_diameter=63 mm",
+                                      "bearing.cage.width=14 mm", "bearing.cage.density=7850 kg/m3"};
+  std::vector<std::string> full = cage;
+  full.insert(full.end(), {"bearing.complement=full", "bearing.rollers=18"});
+  EXPECT_TRUE(machine_of<analysis::RollersUnderLoad>(read(rollers, cage)).loaded.bearing.has_cage());
+  EXPECT_FALSE(machine_of<analysis::RollersUnderLoad>(read(rollers, full)).loaded.bearing.has_cage());
 }
 
 TEST(Alternatives, AnInputOfAnotherOneIsRefused) {

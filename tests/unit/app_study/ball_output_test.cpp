@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"
-#include "app/study/ball_study.hpp"
+#include "coupling/analysis/ball_run.hpp"
 
 namespace orbearing::app::ball_output_test {
 namespace {
 
 // All numbers differ, so that none can be mistaken for another.
-BallStudy distinct_study() {
-  BallStudy study;
+analysis::BallRun distinct_study() {
+  analysis::BallRun study;
   study.life_hours = 1.0;
   study.rotating_speed = 21e6 * 6.283185307179586 / 3600.0;  // 21e6 revolutions in that hour
   study.life_with_balls_hours = 2.0;
@@ -43,7 +43,7 @@ BallStudy distinct_study() {
   return study;
 }
 
-Record record_of(const BallStudy& study) {
+Record record_of(const analysis::BallRun& study) {
   Record record;
   describe(record, study);
   return record;
@@ -89,7 +89,7 @@ TEST(BallOutput, HoldsEachNumberUnderItsKey) {
 }
 
 TEST(BallOutput, HoldsEachNumberUnderItsVariable) {
-  BallStudy study = distinct_study();
+  analysis::BallRun study = distinct_study();
   system::BallSeries& s = study.run.series;
   using Values = std::vector<double>;
   s.time = {0.0, 1.0};

@@ -6,10 +6,10 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/machine_of.hpp"
+#include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/film_study.hpp"
-#include "app/study/static_study.hpp"
+#include "coupling/analysis/ball_films.hpp"
 
 namespace orbearing::app::film_study_test {
 namespace {
@@ -21,6 +21,10 @@ using testing::StartsWith;
 
 ResolvedCase shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
   return read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml", settings);
+}
+
+analysis::BallsUnderLoad inputs_of(const std::string& name, const std::vector<std::string>& settings) {
+  return machine_of<analysis::BallsUnderLoad>(shipped(name, settings));
 }
 
 analysis::FilmOfContact film_study(const ResolvedCase& in) {
@@ -151,7 +155,7 @@ TEST(FilmStudy, AContactIsAnEllipseOrALine) {
 }
 
 TEST(BallFilms, OfLoadedBallsAlone) {
-  const StaticStudy study = static_study(
+  const analysis::BearingUnderLoad study = bearing_under_load(
       shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
                                     "operation.speeds=[6000 rpm]"}));
   ASSERT_TRUE(study.films);
@@ -159,7 +163,7 @@ TEST(BallFilms, OfLoadedBallsAlone) {
   Eigen::Index loaded = (state.contact_load > 0.0).count() + (state.outer_load > 0.0).count();
   EXPECT_EQ(static_cast<Eigen::Index>(study.films->size()), loaded);
   EXPECT_LT(loaded, 2 * state.contact_load.size());
-  for (const BallFilm& film : *study.films) {
+  for (const analysis::BallFilm& film : *study.films) {
     const Eigen::ArrayXd& load = film.race == bearing::Race::inner ? state.contact_load : state.outer_load;
     EXPECT_EQ(film.point.motion.load, load[film.ball]);
     EXPECT_GT(film.point.motion.rolling, 0.0);
@@ -169,8 +173,8 @@ TEST(BallFilms, OfLoadedBallsAlone) {
 
 // The approach with a film is Eq. (10)'s at the load and motion found: the film's own, not Hertz's.
 TEST(BallFilms, TheApproachIsTheFilms) {
-  const std::optional<SpeedTable> table =
-      speed_table(shipped("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
+  const std::optional<analysis::SpeedTable> table =
+      speed_table(inputs_of("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
   ASSERT_TRUE(table);
   const auto value = [&](const std::string& name) { return number_in(table->rows[0], name); };
   const bearing::film::Films films = bearing::film::spin_films(
@@ -192,7 +196,7 @@ TEST(BallFilms, TheApproachIsTheFilms) {
 // The turning point is that of the table; a shorter one does not invent it.
 TEST(BallFilms, TheTurningPointNeedsBothSides) {
   const auto rotating = [](const char* speeds) {
-    return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
+    return speed_table(inputs_of("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
         ->inner_rotating;
   };
   const std::optional<double> coarse = rotating("[9000 rpm, 11000 rpm, 13000 rpm]");

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
+#include "app/case/static_case.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/static_study.hpp"
 #include "app/study/stiffness_study.hpp"
 
 namespace orbearing::app::stiffness_study_test {
@@ -22,7 +22,7 @@ TEST(StiffnessStudy, IsThatOfRun) {
   const ResolvedCase in = shipped("jones_218", {"load.radial=2 kN", "load.moment_across=20 N.m"});
   const StiffnessStudy study = stiffness_study(in);
   ASSERT_EQ(study.points.size(), 1u);
-  EXPECT_EQ(*study.points[0].stiffness, bearing::equilibrium::stiffness_by_axes(static_study(in).state));
+  EXPECT_EQ(*study.points[0].stiffness, bearing::equilibrium::stiffness_by_axes(bearing_under_load(in).state));
 }
 
 // Loads go outside, speeds inside; each load is a series of its own.

@@ -1,6 +1,5 @@
-#include "app/study/friction_study.hpp"
+#include "coupling/analysis/bearing_friction.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -9,18 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/case/catalogue_case.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/oil_case.hpp"
-#include "app/case/static_case.hpp"
-#include "app/errors.hpp"
 #include "bearing/default_design.hpp"
-#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/film/oil_grade.hpp"
 #include "bearing/friction/thermal_reference.hpp"
 #include "mechanics/constants.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 namespace {
 
@@ -28,10 +21,6 @@ namespace friction = bearing::friction;
 using bearing::equilibrium::RingState;
 namespace dimension = described::dimension;
 using described::Record;
-
-double speed_of(const ResolvedCase& in) {
-  return std::abs(in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed"));
-}
 
 // The mineral oil that has `viscosity` [m^2/s] at the temperature of the reference conditions, which is the
 // default temperature of an oil too.
@@ -82,17 +71,18 @@ void put_parted(Record& record, const friction::PartedTorque& torque, const Stan
 
 }  // namespace
 
-void describe(Record& record, const FrictionStudy& study) {
-  const friction::RollingFriction& loss = study.loss;
+void describe(Record& record, const BearingFriction& friction) {
+  const bearing::friction::RollingFriction& loss = friction.loss;
   record.value("power_W", dimension::heat,
                "friction at pure rolling, in all; mean over positions of the cage", loss.total());
   record.value("least_power_W", dimension::heat, "the same at the position of the cage where it is least",
-               study.least);
-  record.value("most_power_W", dimension::heat, "the same at the position where it is greatest", study.most);
-  record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.ours().torque);
-  if (study.oil_temperature)
+               friction.least);
+  record.value("most_power_W", dimension::heat, "the same at the position where it is greatest",
+               friction.most);
+  record.value("torque_N_mm", dimension::small_torque, "the same over the speed", friction.ours().torque);
+  if (friction.oil_temperature)
     record.value("oil_temperature_degC", dimension::temperature, "at which the oil leaves with that heat",
-                 *study.oil_temperature);
+                 *friction.oil_temperature);
   record.value(
       "rolling_W", dimension::heat,
       "shear of the oil at the inlets, which it warms; of rollers as far as the mixture's oil reaches",
@@ -155,21 +145,26 @@ OilInContacts oil_at(const bearing::OilGrade& oil, double temperature) {
   return {bearing::lubricant_at(oil, temperature), bearing::viscosity_slope(oil, temperature)};
 }
 
-// Oil of a case that states its viscosity, by grade or directly; none where it states neither, or a viscosity
-// that no mineral oil has at the default temperature.
-std::optional<bearing::OilGrade> oil_of(const ResolvedCase& in) {
-  if (in.has("lubricant.grade")) return graded_oil(in);
-  if (!in.has("lubricant.kinematic_viscosity")) return std::nullopt;
-  return oil_with(in.quantity("lubricant.kinematic_viscosity"));
+// Oil that is stated by grade, or by a viscosity that a mineral oil has at the default temperature; none:
+// neither.
+std::optional<bearing::OilGrade> stated_grade(const BearingOil& oil) {
+  if (oil.grade) return oil.grade;
+  return oil.kinematic_viscosity ? oil_with(*oil.kinematic_viscosity) : std::nullopt;
 }
 
-friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<friction::BearingSize>& size,
-                               const OilInContacts& oil, double speed, double viscosity) {
+// At the temperature at which the bearing runs.
+OilInContacts oil_in_contacts(const BearingOil& oil, const bearing::OilGrade& grade) {
+  return oil.grade ? OilInContacts{oil.lubricant, bearing::viscosity_slope(grade, oil.temperature)}
+                   : oil_at(grade, friction::thermal_reference::kTemperature);
+}
+
+friction::Inlets roller_inlets(const RollersUnderLoad& in, const OilInContacts& oil, double speed,
+                               double viscosity) {
   using bearing::motion::Starvation;
+  const std::optional<friction::BearingSize>& size = in.loaded.size;
   friction::Inlets inlets{oil.viscosity_slope, friction::InletEnd::layer};
-  const Starvation starvation = from_case<bearing::motion::RaceContactParameters>(in).starvation;
-  if (starvation == Starvation::replenished) inlets.end = friction::InletEnd::replenished;
-  if (starvation == Starvation::skf && size)
+  if (in.oil.starvation == Starvation::replenished) inlets.end = friction::InletEnd::replenished;
+  if (in.oil.starvation == Starvation::skf && size)
     inlets.starvation =
         friction::starvation_factor(size->bore, size->outside, friction::type_constant(size->family),
                                     {.speed = speed, .viscosity = viscosity});
@@ -180,35 +175,36 @@ friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<frict
 // and leave the load zone as the cage rotates.
 class OverPitch {
  public:
-  OverPitch(const ResolvedCase& in, const bearing::Bearing& bearing, const RingState& stated)
-      : in_(in), bearing_(bearing), balances_{stated} {}
+  OverPitch(const bearing::Bearing& bearing, const bearing::equilibrium::RowMotion& motion,
+            const bearing::equilibrium::RingLoad& load, const RingState& stated)
+      : bearing_(bearing), motion_(motion), load_(load), balances_{stated} {}
 
   /// Friction by `loss` of an equilibrium: mean over so many positions that twice as many change its sum by
   /// less than the printed digits, or over the most.
   template <class Loss>
-  void put_means(const Loss& loss, FrictionStudy& study) {
+  void put_means(const Loss& loss, BearingFriction& found) {
     constexpr double same = 2e-4;  // [-]
     constexpr std::size_t first = 8, most = 128;
     double before = 0.0;
     do {
-      before = study.loss.total();
+      before = found.loss.total();
       refine(std::max(first, 2 * balances_.size()));
-      put(loss, study);
-    } while (balances_.size() < most && std::abs(study.loss.total() - before) > same * before);
+      put(loss, found);
+    } while (balances_.size() < most && std::abs(found.loss.total() - before) > same * before);
   }
   /// The same over the positions that are there.
   template <class Loss>
-  void put(const Loss& loss, FrictionStudy& study) const {
-    study.loss = {};
-    study.least = std::numeric_limits<double>::infinity();
-    study.most = 0.0;
+  void put(const Loss& loss, BearingFriction& found) const {
+    found.loss = {};
+    found.least = std::numeric_limits<double>::infinity();
+    found.most = 0.0;
     for (const RingState& balance : balances_) {
       const friction::RollingFriction one = loss(balance);
-      study.loss += one;
-      study.least = std::min(study.least, one.total());
-      study.most = std::max(study.most, one.total());
+      found.loss += one;
+      found.least = std::min(found.least, one.total());
+      found.most = std::max(found.most, one.total());
     }
-    study.loss *= 1.0 / static_cast<double>(balances_.size());
+    found.loss *= 1.0 / static_cast<double>(balances_.size());
   }
 
  private:
@@ -223,115 +219,82 @@ class OverPitch {
       }
       bearing::Bearing turned = bearing_;
       turned.first_element += static_cast<double>(k) * step;
-      finer.push_back(balance_of(in_, turned));
+      finer.push_back(balanced(turned, motion_, load_));
     }
     balances_ = std::move(finer);
   }
 
-  const ResolvedCase& in_;
   const bearing::Bearing& bearing_;
+  const bearing::equilibrium::RowMotion& motion_;
+  const bearing::equilibrium::RingLoad& load_;
   std::vector<RingState> balances_;
 };
 
-// Friction of a roller bearing, with the oil at its stated temperature or at the one of its heat balance.
-FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                           const RingState& at_stated, const OilInContacts& stated) {
-  const std::optional<friction::BearingSize> size = size_of(in);
-  const bearing::Bearing sized = size ? with_rings(bearing, *size) : bearing;
-  const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
-  const double speed = speed_of(in);
-  const friction::RollerMixture mixture{in.number("lubricant.share"), in.quantity("lubricant.flow")};
+}  // namespace
+
+// With the oil at its stated temperature or at the one of its heat balance.
+std::optional<BearingFriction> rolling_friction(const RollersUnderLoad& in, const RingState& stated) {
+  const std::optional<bearing::OilGrade> grade = stated_grade(in.loaded.oil);
+  const double speed = std::abs(in.loaded.rotation.relative());
+  if (!grade || speed == 0.0) return std::nullopt;
+  const bearing::Bearing bearing = rotating_bearing(in.loaded);
+  const bearing::Bearing sized = in.loaded.size ? with_rings(bearing, *in.loaded.size) : bearing;
+  const bearing::equilibrium::RowMotion motion{.speeds = in.loaded.rotation.speeds()};
+  const friction::RollerMixture mixture{in.oil.share, in.oil.flow};
   const auto loss_in = [&](const OilInContacts& oil, double viscosity) {
-    return [&in, &sized, &speeds, &mixture, oil,
-            inlets = roller_inlets(in, size, oil, speed, viscosity)](const RingState& balance) {
-      return friction::roller_friction(sized, balance.contact_load, speeds, oil.lubricant, inlets, mixture);
+    return [&sized, &motion, &mixture, oil,
+            inlets = roller_inlets(in, oil, speed, viscosity)](const RingState& balance) {
+      return friction::roller_friction(sized, balance.contact_load, motion.speeds, oil.lubricant, inlets,
+                                       mixture);
     };
   };
-  OverPitch positions(in, bearing, at_stated);
-  FrictionStudy found{.speed = speed, .viscosity = in.quantity("lubricant.kinematic_viscosity")};
-  positions.put_means(loss_in(stated, found.viscosity), found);
-  if (!in.flag("heat.enabled")) return found;
-  const bearing::OilGrade oil = *oil_of(in);
+  OverPitch positions(bearing, motion, in.loaded.load, stated);
+  BearingFriction found{.speed = speed, .viscosity = in.loaded.oil.kinematic_viscosity.value()};
+  positions.put_means(loss_in(oil_in_contacts(in.loaded.oil, *grade), found.viscosity), found);
+  if (!in.oil.heated) return found;
   const auto at = [&](double temperature) {
-    FrictionStudy study{.speed = speed, .viscosity = kinematic_viscosity(oil, temperature)};
-    positions.put(loss_in(oil_at(oil, temperature), study.viscosity), study);
-    return study;
+    BearingFriction warm{.speed = speed, .viscosity = kinematic_viscosity(*grade, temperature)};
+    positions.put(loss_in(oil_at(*grade, temperature), warm.viscosity), warm);
+    return warm;
   };
   try {
-    const double outlet = system::balanced_outlet(
-        heat_of(in), mixture.flow, [&](double temperature) { return at(temperature).loss.total(); });
-    FrictionStudy study = at(outlet);
-    study.oil_temperature = outlet;
-    return study;
+    const double outlet =
+        system::balanced_outlet({.on = true, .model = in.oil.model, .inlet = in.oil.inlet}, mixture.flow,
+                                [&](double temperature) { return at(temperature).loss.total(); });
+    BearingFriction warm = at(outlet);
+    warm.oil_temperature = outlet;
+    return warm;
   } catch (const std::domain_error& error) {
-    throw ComputationFailed(fmt::format("{}: {}", in.text("name"), error.what()));
+    throw NoResult(error.what());
   }
 }
 
-// Balls with a contact angle require an axial load of at least the radial load times the tangent of that
-// angle. With less there is no equilibrium: the rings separate.
-std::string too_little_thrust(const bearing::Bearing& bearing, const bearing::equilibrium::RingLoad& load) {
-  const double angle = std::abs(bearing.contact_angle()), axial = std::abs(load.axial);
-  const double least = std::abs(load.radial) * std::tan(angle);
-  if (angle == 0.0 || load.tilt || load.moment != 0.0 || load.moment_across != 0.0 || !(axial < least))
-    return "";
-  return fmt::format(
-      ". The axial load of {:.4g} N is too small: at a contact angle of {:.3g} deg a radial load of {:.4g} N "
-      "requires at least {:.4g} N. Increase load.axial, or use model: duplex-pair for two bearings side by "
-      "side",
-      axial, angle * 180.0 / constants::pi, std::abs(load.radial), least);
-}
-
-// The unbalanced load is informative only where the search for an equilibrium failed.
-std::string no_equilibrium_text(const bearing::equilibrium::BalanceReport& report, double load) {
-  constexpr double found = 1e-6;  // [-]  of the load
-  if (report.residual <= found * load) return report.message;
-  return fmt::format("{} ({} iterations, {:.2g} N unbalanced)", report.message, report.iterations,
-                     report.residual);
-}
-
-}  // namespace
-
-RingState balance_of(const ResolvedCase& in, const bearing::Bearing& bearing) {
-  const bearing::equilibrium::RingLoad load = ring_load_of(in);
-  RingState state = bearing::equilibrium::balance_bearing(bearing, row_motion_of(in), load);
-  if (!state.report.converged)
-    throw ComputationFailed(fmt::format(
-        "{}: {}{}", in.text("name"), no_equilibrium_text(state.report, std::hypot(load.radial, load.axial)),
-        too_little_thrust(bearing, load)));
-  return state;
-}
-
-std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                                            const RingState& stated) {
-  const std::optional<bearing::OilGrade> grade = oil_of(in);
-  const double speed = speed_of(in);
-  if (!grade || speed == 0.0) return std::nullopt;
-  const OilInContacts oil = in.has("lubricant.grade")
-                                ? OilInContacts{graded_lubricant(in), graded_viscosity_slope(in)}
-                                : oil_at(*grade, friction::thermal_reference::kTemperature);
-  if (bearing.has_rollers()) return roller_study(in, bearing, stated, oil);
-  const std::optional<friction::BearingSize> size = size_of(in);
-  if (!size || stated.inner_rolling.size() == 0) return std::nullopt;
-  FrictionStudy study{.speed = speed, .viscosity = in.quantity("lubricant.kinematic_viscosity")};
-  OverPitch(in, bearing, stated)
+std::optional<BearingFriction> rolling_friction(const BallsUnderLoad& in, const RingState& stated) {
+  const std::optional<bearing::OilGrade> grade = stated_grade(in.loaded.oil);
+  const double speed = std::abs(in.loaded.rotation.relative());
+  if (!grade || speed == 0.0 || !in.loaded.size || stated.inner_rolling.size() == 0) return std::nullopt;
+  const OilInContacts oil = oil_in_contacts(in.loaded.oil, *grade);
+  const bearing::Bearing bearing = rotating_bearing(in.loaded);
+  const bearing::equilibrium::RowMotion motion =
+      row_motion(in.loaded.rotation, in.balls, in.loaded.oil.lubricant);
+  BearingFriction found{.speed = speed, .viscosity = in.loaded.oil.kinematic_viscosity.value()};
+  OverPitch(bearing, motion, in.loaded.load, stated)
       .put_means(
-          [&, sized = with_rings(bearing, *size)](const RingState& balance) {
-            return friction::ball_friction(sized, balance, ring_load_of(in), row_motion_of(in).speeds,
-                                           oil.lubricant, {.viscosity_slope = oil.viscosity_slope});
+          [&, sized = with_rings(bearing, *in.loaded.size)](const RingState& balance) {
+            return friction::ball_friction(sized, balance, in.loaded.load, motion.speeds, oil.lubricant,
+                                           {.viscosity_slope = oil.viscosity_slope});
           },
-          study);
-  return study;
+          found);
+  return found;
 }
 
-std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,
+std::optional<FrictionByStandards> friction_by_standards(const LoadedBearing& in, const OurFriction& ours,
                                                          double static_capacity) {
-  std::optional<friction::BearingSize> size = size_of(in);
+  std::optional<friction::BearingSize> size = in.size;
   if (!size || ours.speed == 0.0) return std::nullopt;
   size->static_capacity = static_capacity;
-  const bearing::equilibrium::RingLoad load = ring_load_of(in);
   const friction::TorqueCondition at{
-      .speed = ours.speed, .viscosity = ours.viscosity, .radial = load.radial, .axial = load.axial};
+      .speed = ours.speed, .viscosity = ours.viscosity, .radial = in.load.radial, .axial = in.load.axial};
   const double mean = size->mean_diameter();
   FrictionByStandards found{.size = *size,
                             .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
@@ -342,4 +305,4 @@ std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in,
   return found;
 }
 
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

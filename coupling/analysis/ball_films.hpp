@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "coupling/analysis/contact_film.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 #include "mechanics/record.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 /// Film of one ball on one race.
 struct BallFilm {
   Eigen::Index ball = 0;
   bearing::Race race = bearing::Race::inner;
-  analysis::FilmPoint point;  // sizes of speed and spin, whatever their sense
+  FilmPoint point;  // sizes of speed and spin, whatever their sense
 };
 
 void describe(described::Record& row, const BallFilm& film);
@@ -41,8 +41,8 @@ struct SpeedTable {
 
 void describe(described::Record& record, const SpeedTable& table);
 
-/// At `operation.speeds`; none where the case has none. With film and without if `film.enabled` is true. A
-/// speed without equilibrium has no numbers, and a warning.
-std::optional<SpeedTable> speed_table(const ResolvedCase& resolved);
+/// At the stated speeds; none where none are stated. With film and without if the film takes part. A speed
+/// without equilibrium has no numbers, and a warning.
+std::optional<SpeedTable> speed_table(const BallsUnderLoad& in);
 
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

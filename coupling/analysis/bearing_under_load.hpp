@@ -5,17 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "app/case/check_table.hpp"
-#include "app/case/resolved_case.hpp"
-#include "app/results/life_table.hpp"
-#include "app/study/film_study.hpp"
-#include "app/study/friction_study.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
+#include "coupling/analysis/ball_films.hpp"
+#include "coupling/analysis/bearing_friction.hpp"
+#include "coupling/analysis/life_table.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 
-namespace orbearing::app {
-
-// Results of one bearing under a static load.
+namespace orbearing::analysis {
 
 /// Range of one result, in the unit that its name ends in, over the positions of the cage in a pitch.
 struct PositionRange {
@@ -24,7 +21,7 @@ struct PositionRange {
 };
 
 /// Results; lives in revolutions, infinite where nothing is loaded.
-struct StaticStudy {
+struct BearingUnderLoad {
   bearing::Bearing bearing;
   bearing::equilibrium::RingState state;
   double radial = 0.0;  // [m]    displacement across the axis, of both planes
@@ -39,7 +36,7 @@ struct StaticStudy {
   std::optional<std::vector<BallFilm>> films;  // of balls whose film takes part
   std::optional<bearing::defect::PassingFrequencies> passing;  // at pure rolling; none without a speed
   std::optional<SpeedTable> over_speed;
-  std::optional<FrictionStudy> rolling_friction;             // none without speed and oil
+  std::optional<BearingFriction> rolling_friction;           // none without speed and oil
   std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
   std::vector<PositionRange> over_positions;                 // of results at the stated position
   std::vector<std::string> warnings;
@@ -48,22 +45,25 @@ struct StaticStudy {
   LifeTable life_table() const;
 };
 
-void describe(described::Record& record, const StaticStudy& study);
+void describe(described::Record& record, const BearingUnderLoad& result);
 
-// Factors of the life of the bearing of a case, and its ratings for `orbearing check`.
+/// Throws NoResult where no equilibrium is found.
+BearingUnderLoad rollers_under_load(const RollersUnderLoad& in);
+BearingUnderLoad balls_under_load(const BallsUnderLoad& in);
 
-/// P, P_0, oil and a_1 of a single bearing, quasi-static or in time. Throws BadInput where kappa is below the
-/// range of a_ISO.
-bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved,
-                                                     const bearing::Bearing& bearing);
+/// Quantities that follow from the inputs, of rollers or balls.
+struct BearingQuantities {
+  bearing::rating::Ratings ratings;
+  StatedCapacities stated;                            // which are no results
+  std::optional<bearing::rating::RatingLives> lives;  // of the load on the bearing alone; none: no P
+  bool has_static_load = false;
+  double speed = 0.0;                                         // [rad/s]  of the rings against each other
+  std::optional<double> groove_distance, free_contact_angle;  // [m], [rad]  of balls
+};
+void describe(described::Record& record, const BearingQuantities& of);
 
-/// Quantities derived from the inputs, for `orbearing check`.
-std::vector<Derived> static_quantities(const ResolvedCase& resolved);
+/// Throws std::invalid_argument where kappa is below the range of a_ISO.
+BearingQuantities quantities_of(const RollersUnderLoad& in);
+BearingQuantities quantities_of(const BallsUnderLoad& in);
 
-/// Whether a case is that of one bearing under a static load.
-bool is_static_bearing(const ResolvedCase& resolved);
-
-/// Throws ComputationFailed where no equilibrium is found, BadInput for another model.
-StaticStudy static_study(const ResolvedCase& resolved);
-
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

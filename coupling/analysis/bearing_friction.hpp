@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "app/case/resolved_case.hpp"
 #include "bearing/friction/published_torque.hpp"
 #include "bearing/friction/rolling_friction.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 #include "mechanics/record.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 /// Result of this program, for comparison with the formulas of other sources.
 struct OurFriction {
@@ -22,7 +22,7 @@ struct OurFriction {
   double viscosity = 0.0;   // [m^2/s]  of the oil, kinematic
 };
 
-struct FrictionStudy {
+struct BearingFriction {
   bearing::friction::RollingFriction loss;  // [W]  mean over the positions of the cage
   double speed = 0.0;                       // [rad/s]  of the rings against each other
   double viscosity = 0.0;                   // [m^2/s]  of the oil, kinematic
@@ -34,7 +34,7 @@ struct FrictionStudy {
   }
 };
 
-void describe(described::Record& record, const FrictionStudy& study);
+void describe(described::Record& record, const BearingFriction& friction);
 
 struct FrictionByStandards {
   bearing::friction::BearingSize size;
@@ -47,18 +47,18 @@ struct FrictionByStandards {
 /// size.
 void describe(described::Record& record, const FrictionByStandards& standards);
 
-/// Equilibrium of the bearing of a case under its load. Throws ComputationFailed where there is none.
-bearing::equilibrium::RingState balance_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
-
-/// Mean over the positions of the cage in a pitch, `stated` being the equilibrium at the stated one. With
-/// `heat.enabled` at the temperature at which the oil carries off all heat; throws ComputationFailed where
-/// that is too hot, or where a position has no equilibrium. None where no ring rotates, no oil is stated, or,
-/// for balls, the width of the rings is not known or the equilibrium is that of stationary balls.
-std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                                            const bearing::equilibrium::RingState& stated);
+/// Mean over the positions of the cage in a pitch, `stated` being the equilibrium at the stated one. Heated
+/// oil has the temperature at which it carries off all heat; throws NoResult where that is too hot, or where
+/// a position has no equilibrium. None where no ring rotates or no oil is stated.
+std::optional<BearingFriction> rolling_friction(const RollersUnderLoad& in,
+                                                const bearing::equilibrium::RingState& stated);
+/// The same of balls. None besides where the width of the rings is not known or the equilibrium is that of
+/// stationary balls.
+std::optional<BearingFriction> rolling_friction(const BallsUnderLoad& in,
+                                                const bearing::equilibrium::RingState& stated);
 
 /// None where bore, outside diameter and width are not known, or nothing turns. `static_capacity` [N].
-std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,
+std::optional<FrictionByStandards> friction_by_standards(const LoadedBearing& in, const OurFriction& ours,
                                                          double static_capacity);
 
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

@@ -1,30 +1,37 @@
-#include "app/study/film_study.hpp"
+#include "coupling/analysis/ball_films.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "app/case/described_case.hpp"
-#include "app/case/static_case.hpp"
-#include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
-#include "app/units.hpp"
 #include "bearing/equilibrium/row_group.hpp"
+#include "mechanics/constants.hpp"
+#include "mechanics/number_text.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 namespace {
 
-using analysis::FilmPoint;
 using described::Record;
 namespace balance = bearing::equilibrium;
 using bearing::Race;
 
+using mechanics::significant;
+
 constexpr double kMissing = described::kAbsent;
+constexpr double kRpm = 30.0 / constants::pi, kDegree = 180.0 / constants::pi;  // [per rad/s], [per rad]
 constexpr std::array<Race, 2> both_races{Race::inner, Race::outer};
+
+double in_rpm(double speed) {
+  return mechanics::in_unit(speed, kRpm);
+}
+
+double number_in(const Record& record, const std::string& name) {
+  for (const described::Entry& entry : record.entries())
+    if (entry.name == name) return std::get<described::Numbers>(entry.content).values.front();
+  return kMissing;
+}
 
 const char* race_name(Race race) {
   return race == Race::inner ? "inner" : "outer";
@@ -95,12 +102,14 @@ std::optional<double> highest_at(const SpeedTable& table, const std::string& nam
   return (0.5 * (x0 + x1) - left / (2.0 * bend)) / kRpm;
 }
 
-std::optional<balance::RingState> balanced(const bearing::Bearing& bearing, const balance::RowMotion& motion,
-                                           const balance::RingLoad& load, double speed, SpeedTable& table) {
+std::optional<balance::RingState> state_or_warning(const bearing::Bearing& bearing,
+                                                   const balance::RowMotion& motion,
+                                                   const balance::RingLoad& load, double speed,
+                                                   SpeedTable& table) {
   balance::RingState state = balance::balance_bearing(bearing, motion, load);
   if (state.report.converged) return state;
-  table.warnings.push_back(
-      fmt::format("operation.speeds: {:.6g} rpm: {}", speed_in_rpm(speed), state.report.message));
+  table.warnings.push_back("operation.speeds: " + significant(in_rpm(speed), 6) +
+                           " rpm: " + state.report.message);
   return std::nullopt;
 }
 
@@ -108,16 +117,15 @@ void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const b
              double speed, SpeedTable& table, std::vector<double>& beyond) {
   motion.speeds.inner = speed;
   Record& row = table.rows.emplace_back();
-  row.value("speed_rpm", {"", "rpm", "rpm", ""}, "of the inner ring", speed_in_rpm(speed)).variable =
-      "speed_rpm";
+  row.value("speed_rpm", {"", "rpm", "rpm", ""}, "of the inner ring", in_rpm(speed)).variable = "speed_rpm";
   balance::RowMotion dry = motion;
   dry.film.reset();
-  describe_balance(row, bearing, dry, balanced(bearing, dry, load, speed, table));
+  describe_balance(row, bearing, dry, state_or_warning(bearing, dry, load, speed, table));
   if (motion.film) {
-    const std::optional<balance::RingState> state = balanced(bearing, motion, load, speed, table);
+    const std::optional<balance::RingState> state = state_or_warning(bearing, motion, load, speed, table);
     describe_balance(row, bearing, motion, state);
     if (state && !film_warnings(bearing, ball_films(bearing, *motion.film, *state)).empty())
-      beyond.push_back(speed_in_rpm(speed));
+      beyond.push_back(in_rpm(speed));
   }
 }
 
@@ -147,13 +155,13 @@ std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const st
          outside_of_range(bearing::film::ball_contact(bearing, film.race), film.point.motion)) {
       const std::string key = race + what.substr(0, what.find(" is "));
       if (known.emplace(key, warnings.size()).second)
-        warnings.push_back(fmt::format("film: on the {} race the {}", race, what));
+        warnings.push_back("film: on the " + race + " race the " + what);
       else
         ++others[key];
     }
   }
   for (const auto& [key, index] : known)
-    if (others[key] > 0) warnings[index] += fmt::format("; so on {} more balls", others[key]);
+    if (others[key] > 0) warnings[index] += "; so on " + std::to_string(others[key]) + " more balls";
   return warnings;
 }
 
@@ -163,18 +171,19 @@ void describe(described::Record& row, const BallFilm& film) {
   describe(row, film.point);
 }
 
-std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
-  if (!in.has("operation.speeds")) return std::nullopt;
-  const bearing::Bearing bearing = bearing_of(in);
-  const balance::RowMotion motion = row_motion_of(in);
-  const balance::RingLoad load = ring_load_of(in);
+std::optional<SpeedTable> speed_table(const BallsUnderLoad& in) {
+  if (in.speeds.empty()) return std::nullopt;
+  const bearing::Bearing bearing = rotating_bearing(in.loaded);
+  const balance::RowMotion motion = row_motion(in.loaded.rotation, in.balls, in.loaded.oil.lubricant);
   SpeedTable table;
   std::vector<double> beyond;
-  for (const double speed : in.list("operation.speeds")) add_row(bearing, motion, load, speed, table, beyond);
-  if (!beyond.empty())
-    table.warnings.push_back(
-        fmt::format("operation.speeds: the film at {:.6g} rpm lies outside of the ranges of its regressions",
-                    fmt::join(beyond, ", ")));
+  for (const double speed : in.speeds) add_row(bearing, motion, in.loaded.load, speed, table, beyond);
+  if (!beyond.empty()) {
+    std::string speeds;
+    for (const double speed : beyond) speeds += (speeds.empty() ? "" : ", ") + significant(speed, 6);
+    table.warnings.push_back("operation.speeds: the film at " + speeds +
+                             " rpm lies outside of the ranges of its regressions");
+  }
   table.inner_rotating = highest_at(table, "film_inner_h_min_um");
   table.outer_rotating = highest_at(table, "film_outer_h_min_um");
   return table;
@@ -188,4 +197,4 @@ void describe(described::Record& record, const SpeedTable& table) {
                std::array{table.inner_rotating.value_or(kMissing), table.outer_rotating.value_or(kMissing)});
 }
 
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "app/case/resolved_case.hpp"
-#include "app/results/life_table.hpp"
-#include "app/study/friction_study.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
+#include "coupling/analysis/bearing_friction.hpp"
+#include "coupling/analysis/life_table.hpp"
+#include "coupling/analysis/single_bearing.hpp"
 #include "coupling/system/heated_balls.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 /// Results of a run and what belongs to them.
-struct BallStudy {
+struct BallRun {
   system::BallRunResult run;
   std::vector<system::WarmState> warming;  // from cold to steady; empty where temperatures are stated
   double life_hours = 0.0;                 // [h]      of the bearing at the speed of the end
@@ -39,12 +39,9 @@ struct BallStudy {
   }
 };
 
-void describe(described::Record& record, const BallStudy& study);
+void describe(described::Record& record, const BallRun& result);
 
-/// Whether a case is that of a ball bearing in time.
-bool is_ball_run(const ResolvedCase& resolved);
+/// `progress` gets the share done [-], if any. Throws NoResult where the run ends early.
+BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& progress = {});
 
-/// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
-BallStudy ball_study(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
-
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

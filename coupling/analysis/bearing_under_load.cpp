@@ -1,15 +1,10 @@
-#include "app/study/static_study.hpp"
+#include "coupling/analysis/bearing_under_load.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <variant>
+#include <utility>
 
-#include "app/case/static_case.hpp"
-#include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
-#include "app/units.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
@@ -20,12 +15,14 @@
 #include "bearing/life/reference_life.hpp"
 #include "bearing/life/roller_capacity.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/number_text.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 namespace {
 
 using described::Record;
+using mechanics::significant;
 namespace dimension = described::dimension;
 
 namespace equilibrium = bearing::equilibrium;
@@ -37,7 +34,7 @@ bool balls_move(const equilibrium::RingState& state) {
   return state.outer_load.size() > 0;
 }
 
-const Eigen::ArrayXd& load_on(Race race, const StaticStudy& study) {
+const Eigen::ArrayXd& load_on(Race race, const BearingUnderLoad& study) {
   const equilibrium::RingState& state = study.state;
   return race == Race::outer && balls_move(state) ? state.outer_load : state.contact_load;
 }
@@ -66,7 +63,7 @@ void describe_factors(Record& record, const bearing::rating::RatingLives& lives)
   record.value("e_C", dimension::ratio, "contamination factor", lives.oil->contamination_factor);
 }
 
-void describe_elements(Record& record, const StaticStudy& study) {
+void describe_elements(Record& record, const BearingUnderLoad& study) {
   const equilibrium::RingState& state = study.state;
   const auto of_elements = [&](const char* name, const described::Dimension& of, const char* meaning,
                                const Eigen::ArrayXd& values) -> described::Entry& {
@@ -95,7 +92,7 @@ void describe_elements(Record& record, const StaticStudy& study) {
 }
 
 // Values of each race that have columns in the table of a sweep.
-void describe_races(Record& record, const StaticStudy& study) {
+void describe_races(Record& record, const BearingUnderLoad& study) {
   const auto of_race = [&](const std::string& race, const Eigen::ArrayXd& loads, double life) {
     record.value(race + "_load_max_N", dimension::force, "largest load of an element", loads.maxCoeff())
         .detail = true;
@@ -110,7 +107,7 @@ void describe_races(Record& record, const StaticStudy& study) {
 }
 
 // Under the names that files of arrays have had.
-void describe_for_files(Record& record, const StaticStudy& study) {
+void describe_for_files(Record& record, const BearingUnderLoad& study) {
   const bearing::rating::RatingLives& lives = study.lives;
   const auto add = [&](const char* name, const described::Dimension& of, const char* meaning, double value) {
     record.value(name, of, meaning, value).in_files_alone = true;
@@ -123,7 +120,7 @@ void describe_for_files(Record& record, const StaticStudy& study) {
   add("life", dimension::ratio, "by Lundberg and Palmgren, revolutions", study.lundberg_palmgren.bearing);
 }
 
-void describe_displacement(Record& record, const StaticStudy& study) {
+void describe_displacement(Record& record, const BearingUnderLoad& study) {
   record.value("radial_um", dimension::small_length, "inner ring along the radial load", study.radial)
       .variable = "radial_displacement";
   record.value("axial_um", dimension::small_length, "inner ring along the axis", study.state.axial).variable =
@@ -153,7 +150,7 @@ struct ElementSteps {
 
 // Rollers cut into laminae: Eq. (6) of bearing/equilibrium/README.md, Eqs. (4) and (5) of
 // bearing/life/README.md.
-ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::RollerRow& row) {
+ElementSteps describe_row(Record& record, const BearingUnderLoad& study, const equilibrium::RollerRow& row) {
   constexpr described::Dimension line_constant{"contact constant", "1", "N/mm^(10/9)", ""};
   const equilibrium::RingPosition position = equilibrium::position_of(study.state, row.lever());
   const auto& contact = row.contact();
@@ -185,7 +182,7 @@ ElementSteps describe_row(Record& record, const StaticStudy& study, const equili
 }
 
 // Balls: Eqs. (7) and (8) of bearing/equilibrium/README.md.
-ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::BallRow& row) {
+ElementSteps describe_row(Record& record, const BearingUnderLoad& study, const equilibrium::BallRow& row) {
   constexpr described::Dimension point_constant{"contact constant", "1", "N/mm^(3/2)", ""};
   const equilibrium::RingPosition position = equilibrium::position_of(study.state, row.lever());
   record.child("inner_contact", "of a ball on the inner race", row.contact(Race::inner), describe_race);
@@ -204,7 +201,7 @@ ElementSteps describe_row(Record& record, const StaticStudy& study, const equili
   return steps;
 }
 
-void describe_steps(Record& record, const StaticStudy& study) {
+void describe_steps(Record& record, const BearingUnderLoad& study) {
   record.value("gamma", dimension::ratio, "D cos(alpha)/d_m", study.ratings.gamma);
   const ElementSteps steps = study.bearing.has_rollers()
                                  ? describe_row(record, study, equilibrium::RollerRow(study.bearing))
@@ -232,14 +229,14 @@ void describe_steps(Record& record, const StaticStudy& study) {
 
 }  // namespace
 
-LifeTable StaticStudy::life_table() const {
+LifeTable BearingUnderLoad::life_table() const {
   using rating::RollingElement;
   return {
       value_by_name(all_lives()),
       {bearing.has_rollers() ? RollingElement::roller : RollingElement::ball, reduction_factor, governing}};
 }
 
-void describe(Record& record, const StaticStudy& study) {
+void describe(Record& record, const BearingUnderLoad& study) {
   record.child("displacement", "from the concentric position", study, describe_displacement).variable = "";
   record.value("tilt_mrad", dimension::small_angle, "inner ring in the plane of the load", study.tilt);
   record.value("contact_load_max_N", dimension::force, "largest of both races",
@@ -294,28 +291,16 @@ void describe(Record& record, const StaticStudy& study) {
 
 namespace {
 
-// [rad/s]  of the rings against each other
-double relative_speed(const ResolvedCase& in) {
-  return in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
-}
-
-std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
-  const std::optional<rating::StatedOil> stated = stated_oil(in);
-  if (!stated) return {};
-  // A speed and a ratio from which a_ISO is known are checked where the case is read.
-  return rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
-}
-
 // Life by Lundberg and Palmgren: for rollers from their capacities, lamina by lamina; for balls the life of
 // [ISO16281], which uses the same capacities.
-bearing::BearingLife lundberg_palmgren(const StaticStudy& study) {
+bearing::BearingLife lundberg_palmgren(const BearingUnderLoad& study) {
   if (!study.bearing.has_rollers()) return study.lives.reference;
   return bearing::life::lamina_life(bearing::life::lamina_rating(study.bearing, study.reduction_factor),
                                     study.state.lamina_load, study.state.lamina_load);
 }
 
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
-void warn_of_steep_contacts(StaticStudy& study) {
+void warn_of_steep_contacts(BearingUnderLoad& study) {
   const equilibrium::RingState& state = study.state;
   if (state.contact_angle.size() == 0) return;
   constexpr double degree = constants::degree, normal_end = 70.0 * degree;
@@ -323,100 +308,85 @@ void warn_of_steep_contacts(StaticStudy& study) {
   const auto beyond = (loaded_angle > normal_end).count();
   if (beyond == 0) return;
   study.warnings.push_back(
-      fmt::format("load: {} of {} balls touch the inner race at more than 70 degrees (up to {:.1f}), beyond "
-                  "the end of a typical groove. The equilibrium assumes grooves up to 90 degrees",
-                  beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
+      "load: " + std::to_string(beyond) + " of " + std::to_string(loaded_angle.size()) +
+      " balls touch the inner race at more than 70 degrees (up to " +
+      mechanics::with_decimals(loaded_angle.maxCoeff() / degree, 1) +
+      "), beyond the end of a typical groove. The equilibrium assumes grooves up to 90 degrees");
 }
 
 // One loaded element does not hold the ring across its line. Cylindrical rollers never hold it along the
 // axis.
-void warn_of_loose_rings(StaticStudy& study) {
+void warn_of_loose_rings(BearingUnderLoad& study) {
   const Eigen::Vector3d held = study.state.stiffness.diagonal().head<3>();
   constexpr double nothing = 1e-9;
   const int axes = study.bearing.has_rollers() ? 2 : 3;
   for (int axis = 0; axis < axes; ++axis)
     if (held[axis] < nothing * held.maxCoeff())
-      study.warnings.push_back(
-          fmt::format("stiffness: nothing holds the ring along {}: its position there is not determined, and "
-                      "the matrix is singular",
-                      "xyz"[axis]));
+      study.warnings.push_back(std::string("stiffness: nothing holds the ring along ") + "xyz"[axis] +
+                               ": its position there is not determined, and the matrix is singular");
 }
 
 // P and P0 of ISO 281 and ISO 76 are by factors X and Y of grooves up to these radii.
-void warn_of_open_grooves(const ResolvedCase& in, StaticStudy& study) {
+void warn_of_open_grooves(BearingUnderLoad& study) {
   constexpr double inner_limit = 0.52, outer_limit = 0.53;  // groove radius over ball diameter
-  if (!in.has("bearing.inner_osculation")) return;
-  const double inner = in.number("bearing.inner_osculation"), outer = in.number("bearing.outer_osculation");
+  if (study.bearing.has_rollers()) return;
+  const double inner = study.bearing.inner.osculation, outer = study.bearing.outer.osculation;
   if (inner <= inner_limit && outer <= outer_limit) return;
-  study.warnings.push_back(fmt::format(
-      "bearing.inner_osculation, bearing.outer_osculation: {:.4g} and {:.4g}; the factors X and Y of ISO "
-      "281 hold for at most {:.2f} and {:.2f}, as rolling bearings have: prefer L10r to L10",
-      inner, outer, inner_limit, outer_limit));
+  study.warnings.push_back(
+      "bearing.inner_osculation, bearing.outer_osculation: " + significant(inner, 4) + " and " +
+      significant(outer, 4) + "; the factors X and Y of ISO 281 hold for at most " +
+      mechanics::with_decimals(inner_limit, 2) + " and " + mechanics::with_decimals(outer_limit, 2) +
+      ", as rolling bearings have: prefer L10r to L10");
 }
 
-void warn(const ResolvedCase& in, StaticStudy& study) {
+void warn(const StatedCapacities& stated, BearingUnderLoad& study) {
   const rating::Ratings& ratings = study.ratings;
-  for (std::string& text : rating_warnings(in)) study.warnings.push_back(std::move(text));
-  warn_of_open_grooves(in, study);
-  if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
-    study.warnings.push_back(fmt::format(
-        "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "
-        "used beyond",
-        ratings.gamma, ratings.slenderness_limit));
+  warn_of_open_grooves(study);
+  if (ratings.gamma > ratings.slenderness_limit && !stated.dynamic_capacity)
+    study.warnings.push_back("bearing: D cos(alpha)/d_m is " + significant(ratings.gamma, 3) +
+                             "; the table of f_c in ISO 281 ends at " +
+                             significant(ratings.slenderness_limit, 2) + ": its formula is used beyond");
   if (std::isnan(study.lives.dynamic_load))
-    study.warnings.push_back(
+    study.warnings.emplace_back(
         "L10: ISO 281 has factors X and Y for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 and 45 "
         "degrees; L10r does not require them");
   if (study.bearing.has_rollers() &&
       rating::has_too_few_laminae(study.bearing, rating::StressRiser::position))
-    study.warnings.push_back(fmt::format(
-        "bearing.laminae: {} laminae of straight rollers; {}ISO/TS 16281 requires at least {}",
-        study.bearing.rollers().laminae,
-        study.stress_riser == rating::StressRiser::position ? "L10r and L10mr are left out, for which " : "",
-        rating::kLeastRatedLaminae));
+    study.warnings.push_back("bearing.laminae: " + std::to_string(study.bearing.rollers().laminae) +
+                             " laminae of straight rollers; " +
+                             (study.stress_riser == rating::StressRiser::position
+                                  ? "L10r and L10mr are left out, for which "
+                                  : "") +
+                             "ISO/TS 16281 requires at least " + std::to_string(rating::kLeastRatedLaminae));
   constexpr double slipping = 0.1;  // of lubricated steel
   if (study.state.friction > slipping)
     study.warnings.push_back(
-        fmt::format("operation: the gyroscopic moment of a ball requires a friction coefficient of {:.2g} on "
-                    "a race. The ball will slip, which the equilibrium does not include",
-                    study.state.friction));
+        "operation: the gyroscopic moment of a ball requires a friction coefficient of " +
+        significant(study.state.friction, 2) +
+        " on a race. The ball will slip, which the equilibrium does not include");
   warn_of_steep_contacts(study);
   warn_of_loose_rings(study);
 }
 
-}  // namespace
-
-rating::RatingCondition rating_condition_of(const ResolvedCase& in, const bearing::Bearing& bearing) {
-  const bearing::equilibrium::RingLoad load = ring_load_of(in);
-  return {.dynamic_load = rating::equivalent_load(bearing, load.radial, load.axial),
-          .static_load = rating::static_equivalent_load(bearing, load.radial, load.axial),
-          .oil = oil_of(in),
-          .reliability_factor = rating::reliability_factor(in.number("life.reliability"))};
-}
-
-namespace {
-
-// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are
+// Puts all lives into a result whose loads and ratings are known, and warns where the standard's ranges are
 // left.
-void rate(const ResolvedCase& in, StaticStudy& study) {
+void rate(const LoadedBearing& in, const rating::StatedRatings& stated, BearingUnderLoad& study) {
   const bearing::Bearing& bearing = study.bearing;
-  study.speed = relative_speed(in);
-  if (bearing.has_rollers()) study.reduction_factor = in.number("life.reduction_factor");
+  study.speed = in.rotation.relative();
+  if (bearing.has_rollers()) study.reduction_factor = stated.reduction_factor.value();
   const auto loads_on = [&](Race race) -> rating::ElementLoads {
     return {load_on(race, study), study.state.lamina_load};
   };
-  const rating::StatedRatings stated = stated_ratings_of(in);
   study.stress_riser = stated.stress_riser;
   study.governing = governing_life(in);
-  study.lives =
-      rating::rating_lives(rating::bearing_rating(bearing, stated), rating_condition_of(in, bearing),
-                           loads_on(Race::inner), loads_on(Race::outer));
+  study.lives = rating::rating_lives(rating::bearing_rating(bearing, stated), rating_condition(in),
+                                     loads_on(Race::inner), loads_on(Race::outer));
   study.lundberg_palmgren = lundberg_palmgren(study);
-  warn(in, study);
+  warn(in.capacities, study);
 }
 
 // Results that depend on the position of the cage, by their keys.
-std::vector<std::pair<std::string, double>> results_by_position(const StaticStudy& study) {
+std::vector<std::pair<std::string, double>> results_by_position(const BearingUnderLoad& study) {
   const LifeValue lives = value_by_name(study.all_lives());
   std::vector<std::pair<std::string, double>> found{
       {"contact_load_max_N", study.state.contact_load.maxCoeff()}};
@@ -427,20 +397,21 @@ std::vector<std::pair<std::string, double>> results_by_position(const StaticStud
 
 // Rollers and balls pass the load: what is found with the first one where it is stated, beside other
 // positions.
-void put_ranges(const ResolvedCase& in, StaticStudy& study) {
+void put_ranges(const LoadedBearing& in, const rating::StatedRatings& stated,
+                const equilibrium::RowMotion& motion, BearingUnderLoad& study) {
   constexpr int positions = 8;
   for (const auto& [key, value] : results_by_position(study))
     study.over_positions.push_back({key, value, value});
   for (int k = 1; k < positions; ++k) {
-    StaticStudy turned{.bearing = study.bearing, .state = {}, .ratings = study.ratings};
+    BearingUnderLoad turned{.bearing = study.bearing, .state = {}, .ratings = study.ratings};
     turned.bearing.first_element += constants::two_pi / study.bearing.element_count() * k / positions;
     try {
-      turned.state = balance_of(in, turned.bearing);
-    } catch (const ComputationFailed&) {  // no range without all positions
+      turned.state = balanced(turned.bearing, motion, in.load);
+    } catch (const NoResult&) {  // no range without all positions
       study.over_positions.clear();
       return;
     }
-    rate(in, turned);
+    rate(in, stated, turned);
     const auto found = results_by_position(turned);
     for (std::size_t i = 0; i < found.size() && i < study.over_positions.size(); ++i) {
       PositionRange& range = study.over_positions[i];
@@ -450,113 +421,142 @@ void put_ranges(const ResolvedCase& in, StaticStudy& study) {
   }
 }
 
-// Lives that need the load on the bearing alone; none where P is not known.
-void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, std::vector<Derived>& rows) {
-  const rating::RatingCondition condition = rating_condition_of(in, bearing);
-  if (!condition.dynamic_load || !(*condition.dynamic_load > 0.0)) return;
-  const rating::ElementLoads nothing{Eigen::ArrayXd::Zero(1), Eigen::ArrayXXd::Zero(1, 1)};
-  const rating::RatingLives lives = rating::rating_lives(
-      rating::bearing_rating(bearing, stated_ratings_of(in)), condition, nothing, nothing);
-  const double speed = relative_speed(in), million = 1e-6;
-  rows.push_back({"life.equivalent_load", lives.dynamic_load, "N", "P of ISO 281"});
-  rows.push_back({"life.load_ratio", lives.load_ratio(), "1", "C/P"});
-  if (condition.static_load)
-    rows.push_back({"life.static_safety", lives.static_safety(), "1", "S_0 = C_0/P_0 of ISO 76"});
-  rows.push_back({"life.L10", million * lives.basic, "Mrev", "basic rating life of ISO 281"});
-  if (speed != 0.0)
-    rows.push_back(
-        {"life.L10h", bearing::hours(lives.basic, speed), "h", "the same at the speed of the rings"});
-  if (!lives.oil) return;
-  rows.push_back({"life.kappa", lives.oil->viscosity_ratio, "1", "viscosity ratio of ISO 281"});
-  rows.push_back({"life.e_C", lives.oil->contamination_factor, "1", "contamination factor of ISO 281"});
-  rows.push_back(
-      {"life.a_ISO", lives.life_modification, "1", "life modification factor of ISO 281, by C_u/P"});
-  rows.push_back(
-      {"life.L10m", million * lives.modified, "Mrev", "modified rating life of ISO 281: a_1 a_ISO L10"});
-  if (speed != 0.0)
-    rows.push_back(
-        {"life.L10mh", bearing::hours(lives.modified, speed), "h", "the same at the speed of the rings"});
-}
-
-}  // namespace
-
-std::vector<Derived> static_quantities(const ResolvedCase& in) {
-  const bearing::Bearing bearing = bearing_of(in);
-  const rating::Ratings ratings = rating::ratings_of(bearing, stated_ratings_of(in));
-  std::vector<Derived> rows{
-      {"bearing.slenderness", ratings.gamma, "1", "D cos(alpha)/d_m"},
-      {"bearing.capacity_factor", ratings.capacity_factor, "1", "f_c of ISO 281, in N and mm"},
-      {"bearing.inner_contact_capacity", ratings.contacts.inner, "N", "of one rolling element, ISO/TS 16281"},
-      {"bearing.outer_contact_capacity", ratings.contacts.outer, "N",
-       "of one rolling element, ISO/TS 16281"}};
-  if (!in.has("bearing.static_capacity"))
-    rows.push_back({"bearing.static_capacity", ratings.static_capacity, "N", "C_0r of ISO 76"});
-  if (!in.has("bearing.dynamic_capacity"))
-    rows.push_back({"bearing.dynamic_capacity", ratings.dynamic_capacity, "N", "C_r of ISO 281"});
-  if (!in.has("bearing.fatigue_load_limit"))
-    rows.push_back(
-        {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
-  for (Derived& row : or_reason("life", [&] {
-         std::vector<Derived> lives;
-         add_lives_by_load(in, bearing, lives);
-         return lives;
-       }))
-    rows.push_back(std::move(row));
-  if (bearing.has_rollers()) return rows;
-  const bearing::equilibrium::BallRow row(bearing);
-  rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});
-  rows.push_back({"bearing.free_contact_angle", kDegree * row.free_angle(), "deg", "without load"});
-  return rows;
-}
-
-namespace {
-
 // Resultant of both planes. Where load and elements are symmetric about the plane of the radial load, the
 // component across it is zero, and the one along it keeps its sign.
 double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
 }
 
-}  // namespace
-
-bool is_static_bearing(const ResolvedCase& resolved) {
-  return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
-}
-
-StaticStudy static_study(const ResolvedCase& in) {
-  if (!is_static_bearing(in))
-    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
-                   "; required: roller-bearing or ball-bearing");
-  const bearing::Bearing bearing = bearing_of(in);
-  const equilibrium::RingLoad load = ring_load_of(in);
-  const equilibrium::RowMotion motion = row_motion_of(in);
-  StaticStudy study{.bearing = bearing, .state = balance_of(in, bearing)};
+// Equilibrium, ratings and lives of either kind.
+BearingUnderLoad under_load(const LoadedBearing& in, const rating::StatedRatings& stated,
+                            const equilibrium::RowMotion& motion) {
+  const bearing::Bearing bearing = rotating_bearing(in);
+  BearingUnderLoad study{.bearing = bearing, .state = balanced(bearing, motion, in.load)};
   const equilibrium::RingState& state = study.state;
-  const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
+  const bool mirrored = in.load.moment_across == 0.0 && bearing.first_element == 0.0;
   study.radial = resultant(state.radial, state.lateral, mirrored);
   study.tilt = resultant(state.tilt, state.lateral_tilt, mirrored);
-  study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
-  rate(in, study);
+  study.ratings = rating::ratings_of(bearing, stated);
+  rate(in, stated, study);
   if (study.speed != 0.0)
-    study.passing = bearing::defect::passing_frequencies(bearing, in.quantity("operation.shaft_speed"),
-                                                         in.quantity("operation.outer_speed"));
-  if (motion.film && state.inner_rolling.size() > 0) {
-    study.films = ball_films(bearing, *motion.film, state);
-    for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
+    study.passing =
+        bearing::defect::passing_frequencies(bearing, in.rotation.shaft_speed, in.rotation.outer_speed);
+  return study;
+}
+
+void put_friction(const LoadedBearing& in, std::optional<BearingFriction> friction, BearingUnderLoad& study) {
+  study.rolling_friction = std::move(friction);
+  if (!study.rolling_friction) return;
+  if (study.rolling_friction->oil_temperature)
+    study.warnings.push_back("the friction heats the oil to " +
+                             mechanics::with_decimals(*study.rolling_friction->oil_temperature, 0) +
+                             " degC; lives and kappa keep the stated viscosity");
+  study.friction_by_standards =
+      friction_by_standards(in, study.rolling_friction->ours(), study.ratings.static_capacity);
+}
+
+}  // namespace
+
+BearingUnderLoad rollers_under_load(const RollersUnderLoad& in) {
+  const rating::StatedRatings stated = stated_ratings(in);
+  const equilibrium::RowMotion motion{.speeds = in.loaded.rotation.speeds()};
+  BearingUnderLoad study = under_load(in.loaded, stated, motion);
+  put_ranges(in.loaded, stated, motion, study);
+  put_friction(in.loaded, rolling_friction(in, study.state), study);
+  return study;
+}
+
+BearingUnderLoad balls_under_load(const BallsUnderLoad& in) {
+  const rating::StatedRatings stated = stated_ratings(in.loaded.capacities);
+  const equilibrium::RowMotion motion = row_motion(in.loaded.rotation, in.balls, in.loaded.oil.lubricant);
+  BearingUnderLoad study = under_load(in.loaded, stated, motion);
+  if (motion.film && study.state.inner_rolling.size() > 0) {
+    study.films = ball_films(study.bearing, *motion.film, study.state);
+    for (std::string& warning : film_warnings(study.bearing, *study.films))
+      study.warnings.push_back(std::move(warning));
   }
-  put_ranges(in, study);
-  study.rolling_friction = friction_study(in, bearing, state);
-  if (study.rolling_friction && study.rolling_friction->oil_temperature)
-    study.warnings.push_back(
-        fmt::format("the friction heats the oil to {:.0f} degC; lives and kappa keep the stated viscosity",
-                    *study.rolling_friction->oil_temperature));
-  if (study.rolling_friction)
-    study.friction_by_standards =
-        friction_by_standards(in, study.rolling_friction->ours(), study.ratings.static_capacity);
+  put_ranges(in.loaded, stated, motion, study);
+  put_friction(in.loaded, rolling_friction(in, study.state), study);
   study.over_speed = speed_table(in);
   if (study.over_speed)
     for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);
   return study;
 }
 
-}  // namespace orbearing::app
+namespace {
+
+// Lives that need the load on the bearing alone; none where P is not known.
+BearingQuantities quantities(const LoadedBearing& in, const rating::StatedRatings& stated) {
+  const bearing::Bearing bearing = rotating_bearing(in);
+  BearingQuantities found{.ratings = rating::ratings_of(bearing, stated),
+                          .stated = in.capacities,
+                          .speed = in.rotation.relative()};
+  const rating::RatingCondition condition = rating_condition(in);
+  if (!condition.dynamic_load || !(*condition.dynamic_load > 0.0)) return found;
+  const rating::ElementLoads nothing{Eigen::ArrayXd::Zero(1), Eigen::ArrayXXd::Zero(1, 1)};
+  found.lives = rating::rating_lives(rating::bearing_rating(bearing, stated), condition, nothing, nothing);
+  found.has_static_load = condition.static_load.has_value();
+  return found;
+}
+
+void describe_lives_by_load(Record& record, const BearingQuantities& of) {
+  const rating::RatingLives& lives = *of.lives;
+  record.value("equivalent_load_N", dimension::force, "P of ISO 281", lives.dynamic_load);
+  record.value("load_ratio", dimension::ratio, "C/P", lives.load_ratio());
+  if (of.has_static_load)
+    record.value("static_safety", dimension::ratio, "S_0 = C_0/P_0 of ISO 76", lives.static_safety());
+  record.value("L10_Mrev", dimension::revolutions, "basic rating life of ISO 281", lives.basic);
+  if (of.speed != 0.0)
+    record.value("L10h", dimension::hours, "the same at the speed of the rings",
+                 bearing::hours(lives.basic, of.speed));
+  if (!lives.oil) return;
+  record.value("kappa", dimension::ratio, "viscosity ratio of ISO 281", lives.oil->viscosity_ratio);
+  record.value("e_C", dimension::ratio, "contamination factor of ISO 281", lives.oil->contamination_factor);
+  record.value("a_ISO", dimension::ratio, "life modification factor of ISO 281, by C_u/P",
+               lives.life_modification);
+  record.value("L10m_Mrev", dimension::revolutions, "modified rating life of ISO 281: a_1 a_ISO L10",
+               lives.modified);
+  if (of.speed != 0.0)
+    record.value("L10mh", dimension::hours, "the same at the speed of the rings",
+                 bearing::hours(lives.modified, of.speed));
+}
+
+}  // namespace
+
+void describe(Record& record, const BearingQuantities& of) {
+  record.child("bearing", "of the bearing", of, [](Record& bearing, const BearingQuantities& found) {
+    const rating::Ratings& ratings = found.ratings;
+    bearing.value("slenderness", dimension::ratio, "D cos(alpha)/d_m", ratings.gamma);
+    bearing.value("capacity_factor", dimension::ratio, "f_c of ISO 281, in N and mm",
+                  ratings.capacity_factor);
+    bearing.value("inner_contact_capacity_N", dimension::force, "of one rolling element, ISO/TS 16281",
+                  ratings.contacts.inner);
+    bearing.value("outer_contact_capacity_N", dimension::force, "of one rolling element, ISO/TS 16281",
+                  ratings.contacts.outer);
+    if (!found.stated.static_capacity)
+      bearing.value("static_capacity_N", dimension::force, "C_0r of ISO 76", ratings.static_capacity);
+    if (!found.stated.dynamic_capacity)
+      bearing.value("dynamic_capacity_N", dimension::force, "C_r of ISO 281", ratings.dynamic_capacity);
+    if (!found.stated.fatigue_load_limit)
+      bearing.value("fatigue_load_limit_N", dimension::force, "C_u of ISO 281, by C_0r",
+                    ratings.fatigue_load_limit);
+    if (!found.groove_distance) return;
+    bearing.value("groove_distance_mm", dimension::length, "A, of the groove centres", found.groove_distance);
+    bearing.value("free_contact_angle_deg", dimension::angle, "without load", found.free_contact_angle);
+  });
+  if (of.lives) record.child("life", "by the load on the bearing", of, describe_lives_by_load);
+}
+
+BearingQuantities quantities_of(const RollersUnderLoad& in) {
+  return quantities(in.loaded, stated_ratings(in));
+}
+
+BearingQuantities quantities_of(const BallsUnderLoad& in) {
+  BearingQuantities found = quantities(in.loaded, stated_ratings(in.loaded.capacities));
+  const equilibrium::BallRow row(in.loaded.bearing);
+  found.groove_distance = row.groove_distance();
+  found.free_contact_angle = row.free_angle();
+  return found;
+}
+
+}  // namespace orbearing::analysis

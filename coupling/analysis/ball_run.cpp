@@ -1,15 +1,8 @@
-#include "app/study/ball_study.hpp"
-
-#include <fmt/format.h>
+#include "coupling/analysis/ball_run.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/oil_case.hpp"
-#include "app/case/static_case.hpp"
-#include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
-#include "app/study/static_study.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/row_group.hpp"
@@ -17,13 +10,15 @@
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "mechanics/number_text.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 namespace {
 
 using described::each;
 using described::Record;
+using mechanics::significant;
 namespace dimension = described::dimension;
 using bearing::balls::BallPowerLoss;
 
@@ -42,20 +37,20 @@ constexpr CauseOfHeat causes_of_heat[] = {
     {"cage", "pockets and lands of the cage", &BallPowerLoss::cage},
     {"churning", "drag and churning of the oil-air mixture", &BallPowerLoss::churning}};
 
-std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing::balls::BallDuty& duty,
+std::vector<std::string> warnings_of_balls(const BallRun& study, const bearing::balls::BallDuty& duty,
                                            const system::BallRunOptions& options) {
   std::vector<std::string> warnings;
   const double observed_from = options.duration * (1.0 - options.observed);
   if (duty.inner.duration() > observed_from)
-    warnings.push_back(
-        fmt::format("the means include the run-up of the shaft, until {:.4g} s; observed from {:.4g} s on",
-                    duty.inner.duration(), observed_from));
+    warnings.push_back("the means include the run-up of the shaft, until " +
+                       significant(duty.inner.duration(), 4) + " s; observed from " +
+                       significant(observed_from, 4) + " s on");
   if (!study.run.slip_settling)
     warnings.push_back(
-        fmt::format("the slip of the cage has not settled. Within the last third of the run it leaves the "
-                    "band of {:.3g} % of the cage's kinematic speed about its mean "
-                    "(simulation.settling_band). Increase simulation.duration",
-                    100.0 * options.settling_band));
+        "the slip of the cage has not settled. Within the last third of the run it leaves the band of " +
+        significant(100.0 * options.settling_band, 3) +
+        " % of the cage's kinematic speed about its mean (simulation.settling_band). Increase "
+        "simulation.duration");
   return warnings;
 }
 
@@ -66,33 +61,48 @@ double largest_pressure(const bearing::Bearing& bearing, const system::BallMeans
                   point_pressure(row.contact(bearing::Race::outer), means.outer_load_max).pressure);
 }
 
-}  // namespace
-
-bool is_ball_run(const ResolvedCase& resolved) {
-  return resolved.model() == ball_motion;
+// The load acts on the inner ring, the radial one along x; with an acceleration the ring starts from rest.
+bearing::balls::BallDuty ball_duty(const BallsInTime& in) {
+  using bearing::balls::RingDrive;
+  const double speed = in.loaded.rotation.shaft_speed, acceleration = in.simulation.shaft_acceleration;
+  const bearing::equilibrium::RingLoad& load = in.loaded.load;
+  bearing::balls::BallDuty duty;
+  duty.inner = acceleration > 0.0 ? RingDrive{0.0, std::copysign(acceleration, speed), speed}
+                                  : RingDrive::steady(speed);
+  duty.outer = RingDrive::steady(in.loaded.rotation.outer_speed);
+  // A tilt moves the ring forward where x or y is positive: its axis leans the other way.
+  duty.on_inner = {{load.radial, 0.0, load.axial, -load.moment, -load.moment_across}};
+  return duty;
 }
 
-BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
-  const bearing::Bearing bearing = bearing_of(in);
-  const bearing::balls::BallDuty duty = ball_duty_of(in);
-  const system::BallRunOptions options = ball_run_options_of(in);
+// Density [kg/m^3] of the oil: that of a mineral oil where none is stirred.
+double oil_density(const bearing::motion::OilDragParameters& drag) {
+  return drag.on ? drag.oil_density : bearing::OilGrade{}.density;
+}
+
+}  // namespace
+
+BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& progress) {
+  const bearing::Bearing bearing = rotating_bearing(in.loaded);
+  const bearing::balls::BallDuty duty = ball_duty(in);
+  system::BallRunOptions options = in.simulation.options;
+  options.first_ball = bearing.first_element;
   const bearing::rating::BearingRating rating =
-      bearing::rating::bearing_rating(bearing, stated_ratings_of(in));
-  const bearing::rating::RatingCondition condition = rating_condition_of(in, bearing);
+      bearing::rating::bearing_rating(bearing, stated_ratings(in.loaded.capacities));
+  const bearing::rating::RatingCondition condition = rating_condition(in.loaded);
   const bearing::rating::Ratings& ratings = rating.ratings;
-  BallStudy study;
+  BallRun study;
   study.dynamic_capacity = ratings.dynamic_capacity;
-  study.governing = governing_life(in);
-  const system::HeatParameters heat = heat_of(in);
+  study.governing = governing_life(in.loaded);
+  const system::HeatParameters& heat = in.simulation.heat;
   const auto reached = [&](double time) {
     if (progress) progress(time / options.duration);
   };
-  const bearing::balls::MotionParameters motion = ball_motion_of(in);
+  const bearing::balls::MotionParameters& motion = in.simulation.motion;
   study.run = heat.on ? system::run_heated_balls(bearing, motion, duty, ratings.contacts, options, heat,
                                                  study.warming, reached)
                       : system::run_balls(bearing, motion, duty, ratings.contacts, options, reached);
-  if (!study.run.completed)
-    throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
+  if (!study.run.completed) throw NoResult(study.run.message);
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
   const double rotating = bearing.motions.inner == bearing::RaceMotion::rotating ? inner : outer;
   const system::BallMeans& means = study.run.means;
@@ -108,18 +118,18 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
           : system::warm_bearing(bearing, heat, study.warming.back().temperature);
   study.radial_clearance = running.radial_clearance;
   const bearing::equilibrium::RingState balance =
-      bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, ring_load_of(in));
+      bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, in.loaded.load);
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
   study.oil_share = bearing::friction::supplied(bearing, motion, inner - outer).drag.oil_share;
   const double rolling = means.loss.rolling / std::abs(inner - outer);
   const bool isothermal = motion.race.inlet_heating == bearing::motion::InletHeating::none;
   study.friction_by_standards =
-      friction_by_standards(in,
+      friction_by_standards(in.loaded,
                             {.speed = std::abs(inner - outer),
                              .torque = means.friction_torque,
                              .rolling = rolling,
                              .isothermal = isothermal ? rolling : 0.0,
-                             .viscosity = in.quantity("lubricant.viscosity") / oil_density(in)},
+                             .viscosity = motion.lubricant.viscosity / oil_density(motion.drag)},
                             ratings.static_capacity);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
@@ -201,7 +211,7 @@ void describe_series(Record& record, const system::BallSeries& s) {
 
 }  // namespace
 
-void describe(Record& record, const BallStudy& study) {
+void describe(Record& record, const BallRun& study) {
   const system::BallMeans& m = study.run.means;
   describe(record, study.all_lives());
   record.value("life_with_balls_h", dimension::hours, "life with failures of the balls included",
@@ -247,4 +257,4 @@ void describe(Record& record, const BallStudy& study) {
   describe_warming(record, study.warming);
 }
 
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis

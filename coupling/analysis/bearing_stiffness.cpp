@@ -1,0 +1,120 @@
+#include "coupling/analysis/bearing_stiffness.hpp"
+
+#include "bearing/equilibrium/row_group.hpp"
+
+namespace orbearing::analysis {
+
+namespace {
+
+namespace equilibrium = bearing::equilibrium;
+using described::Record;
+namespace dimension = described::dimension;
+
+constexpr const char* kOfRing = "x, y, z [m], tilt about x, tilt about y [rad]";
+
+equilibrium::RingLoad scaled(equilibrium::RingLoad load, double factor) {
+  load.radial *= factor;
+  load.axial *= factor;
+  load.moment *= factor;
+  load.moment_across *= factor;
+  return load;
+}
+
+StiffnessPoint single_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
+                            const equilibrium::RingLoad& load) {
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
+  StiffnessPoint point{.speed = bearing.has_rollers() ? 0.0 : motion.speeds.inner,
+                       .load = {{"radial_N", load.radial},
+                                {"axial_N", load.axial},
+                                {"moment_N_m", state.moment},
+                                {"moment_across_N_m", state.lateral_moment}}};
+  if (!state.report.converged) {
+    point.status = state.report.message;
+    return point;
+  }
+  point.stiffness = equilibrium::stiffness_by_axes(state);
+  point.displacement = equilibrium::displacement_by_axes(state);
+  point.largest_pressure = state.largest_pressure;
+  return point;
+}
+
+// At each factor over each speed of the inner ring; a factor is a series.
+StiffnessStudy over_loads_and_speeds(const bearing::Bearing& bearing, equilibrium::RowMotion motion,
+                                     const equilibrium::RingLoad& load, const std::vector<double>& factors,
+                                     const std::vector<double>& speeds) {
+  StiffnessStudy study{
+      .series = 0,
+      .frame =
+          "inner ring against the outer one; x along the radial load, z along the axis; load.moment_across "
+          "acts about x, load.moment about -y",
+      .damping =
+          "a static equilibrium has none; the film depends on speed and load only, not on the rate of "
+          "approach"};
+  for (const double factor : factors) {
+    for (const double speed : speeds) {
+      motion.speeds.inner = speed;
+      study.points.push_back(single_point(bearing, motion, scaled(load, factor)));
+      study.points.back().series = study.series;
+    }
+    ++study.series;
+  }
+  return study;
+}
+
+std::vector<double> list_or(const std::vector<double>& list, double otherwise) {
+  return list.empty() ? std::vector<double>{otherwise} : list;
+}
+
+}  // namespace
+
+StiffnessStudy stiffness_of_rollers(const RollerSupport& in) {
+  return over_loads_and_speeds(in.bearing, {}, in.load, list_or(in.load_factors, 1.0), {0.0});
+}
+
+StiffnessStudy stiffness_of_balls(const BallSupport& in) {
+  return over_loads_and_speeds(in.bearing, row_motion(in.rotation, in.balls, in.lubricant), in.load,
+                               list_or(in.load_factors, 1.0), list_or(in.speeds, in.rotation.shaft_speed));
+}
+
+void describe(Record& row, const StiffnessPoint& point) {
+  row.value("speed_rpm", dimension::angular_speed, "of the inner ring; of a drivetrain, of its input",
+            point.speed);
+  row.child("load", "on the ring that moves", point, [](Record& loads, const StiffnessPoint& of) {
+    for (const auto& [name, value] : of.load)
+      loads.value(name, name.ends_with("_m") ? dimension::torque : dimension::force, "", value);
+  });
+  if (!point.set.empty()) row.value("set", "whose planet bearing", point.set);
+  if (point.stiffness) {
+    row.array("stiffness", {},
+              "rows and columns x, y, z, tilt about x, tilt about y: N/m, N/rad, N m/m, N m/rad",
+              {"row", "column"}, *point.stiffness);
+    row.array("displacement", {}, kOfRing, {"row"}, point.displacement);
+  } else {
+    row.nothing("stiffness", "no static equilibrium");
+    row.nothing("displacement", "no static equilibrium");
+  }
+  if (point.largest_pressure)
+    row.value("pressure_max_MPa", dimension::pressure, "after Hertz", point.largest_pressure);
+  row.nothing("damping", "none");
+  row.value("status", "ok, or the reason why there is no static equilibrium", point.status);
+  row.value("series", "points that belong to one table over speed", point.series);
+}
+
+void describe(Record& record, const StiffnessStudy& study) {
+  record.table("points", "point", study.frame, study.points).variable = "";
+  record.value("order", "of rows and columns", described::Texts{"x", "y", "z", "tilt_x", "tilt_y"});
+  record.child("units", "of the stiffness", study, [](Record& units, const StiffnessStudy&) {
+    units.value("force_by_place", "", "N/m");
+    units.value("force_by_tilt", "", "N/rad");
+    units.value("moment_by_place", "", "N m/m");
+    units.value("moment_by_tilt", "", "N m/rad");
+    units.value("displacement", "", "m, rad");
+  });
+  record.value("frame", "relative motion", study.frame);
+  record.child("damping", "of the ring", study, [](Record& damping, const StiffnessStudy& of) {
+    damping.nothing("value", "none");
+    damping.value("reason", "why there is none", of.damping);
+  });
+}
+
+}  // namespace orbearing::analysis

@@ -1,0 +1,356 @@
+// A bearing in a housing under a load of its own, the models roller-bearing and ball-bearing: inputs by the
+// analyses that take them, and what follows from the inputs.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bearing/equilibrium/jones_balls.hpp"
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/film/oil_grade.hpp"
+#include "bearing/friction/published_torque.hpp"
+#include "bearing/life/rating_lives.hpp"
+#include "bearing/motion/parameters.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/heated_balls.hpp"
+
+namespace orbearing::bearing::rating {
+
+constexpr described::Names<Lubrication, 3> names_of(Lubrication) {
+  return {{{Lubrication::circulating_oil, "circulating-oil"},
+           {Lubrication::oil_bath, "oil-bath"},
+           {Lubrication::grease, "grease"}}};
+}
+
+/// In words, and by the equivalent codes where oil circulates.
+constexpr described::Names<Cleanliness, 10> names_of(Cleanliness) {
+  return {{{Cleanliness::highest, "highest"},
+           {Cleanliness::high, "high"},
+           {Cleanliness::medium, "medium"},
+           {Cleanliness::low, "low"},
+           {Cleanliness::lowest, "lowest"},
+           {Cleanliness::highest, "-/13/10"},
+           {Cleanliness::high, "-/15/12"},
+           {Cleanliness::medium, "-/17/14"},
+           {Cleanliness::low, "-/19/16"},
+           {Cleanliness::lowest, "-/21/18"}}};
+}
+
+}  // namespace orbearing::bearing::rating
+
+namespace orbearing::analysis {
+
+/// An analysis that came to no result, e.g. a load without static equilibrium.
+struct NoResult : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Speeds of the rings, and which of them rotates relative to the load.
+struct RingRotation {
+  double shaft_speed = 0.0;  // [rad/s]  of the inner ring
+  double outer_speed = 0.0;  // [rad/s]
+  bearing::Race turning_race = bearing::Race::inner;
+
+  double relative() const { return shaft_speed - outer_speed; }  // [rad/s]
+  bearing::equilibrium::RingSpeeds speeds() const { return {shaft_speed, outer_speed}; }
+};
+template <class Visitor>
+void describe(Visitor& visit, RingRotation& m) {
+  using namespace described;
+  const auto speed = [](double& member, const char* key, const char* meaning) {
+    return input(
+        member, key, meaning,
+        {.dimension = dimension::angular_speed, .range = {-1e6, 1e6}, .reason = "a stationary ring"});
+  };
+  members(visit, m, speed(m.shaft_speed, "operation.shaft_speed", "speed of the inner ring"),
+          speed(m.outer_speed, "operation.outer_speed", "speed of the outer ring"),
+          input(m.turning_race, "operation.turning_race", "race that rotates relative to the load",
+                {.reason = "a stationary load on a rotating shaft"}));
+}
+
+/// Ratings that are stated instead of those by the standards.
+struct StatedCapacities {
+  std::optional<double> dynamic_capacity;    // [N]  C
+  std::optional<double> static_capacity;     // [N]  C_0
+  std::optional<double> fatigue_load_limit;  // [N]  C_u
+};
+template <class Visitor>
+void describe(Visitor& visit, StatedCapacities& m) {
+  using namespace described;
+  const auto rating = [](std::optional<double>& member, const char* key, const char* meaning) {
+    return input(member, key, meaning, {.dimension = dimension::force, .range = positive(1e9)});
+  };
+  members(
+      visit, m,
+      rating(m.dynamic_capacity, "bearing.dynamic_capacity",
+             "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; if absent, C by ISO "
+             "281"),
+      rating(m.static_capacity, "bearing.static_capacity",
+             "basic static load rating C_0; if absent, C_0 by ISO 76"),
+      rating(m.fatigue_load_limit, "bearing.fatigue_load_limit",
+             "fatigue load limit C_u; if absent, C_u by ISO 281 from C_0"));
+}
+
+/// How lives are computed, and cleanliness of the oil.
+struct LifeInputs {
+  bearing::rating::LifeMethod method = bearing::rating::LifeMethod::lundberg_palmgren;
+  double reliability = 0.9;                      // [-]
+  std::optional<double> viscosity_ratio;         // [-]  kappa
+  std::optional<double> contamination_factor{};  // [-]  e_C
+  bearing::rating::Lubrication lubrication = bearing::rating::Lubrication::circulating_oil;
+  std::optional<bearing::rating::Cleanliness> cleanliness{};
+};
+template <class Visitor>
+void describe(Visitor& visit, LifeInputs& m) {
+  using namespace described;
+  members(
+      visit, m,
+      input(m.method, "life.method",
+            "governing life, by which requirements, peaks, spectra, crowns and sensitivities go. "
+            "lundberg-palmgren: life_h; iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh "
+            "where the oil is stated, else L10rh. crown uses life_h with iso-281, whose life is that of all "
+            "crowns",
+            {.reason = "neither the rating C nor a requirement is stated"}),
+      input(m.reliability, "life.reliability", "reliability: share of bearings that reach the life",
+            {.range = {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false},
+             .reason = "rating lives are those of 90 %"}),
+      input(m.viscosity_ratio, "life.viscosity_ratio",
+            "viscosity ratio kappa of ISO 281; with it the life includes a_ISO", {.range = {0.1, 1000.0}}),
+      input(m.contamination_factor, "life.contamination_factor", "e_C of ISO 281", {.range = {0.0, 1.0}}),
+      input(m.lubrication, "life.lubrication", "kind of lubrication, for the contamination factor",
+            {.reason = "oil with a filter in its line"}),
+      input(m.cleanliness, "life.cleanliness",
+            "level of cleanliness, or its ISO 4406 code for filtered oil, instead of the contamination "
+            "factor"));
+}
+
+/// Additional inputs for rollers.
+struct RollerLifeInputs {
+  double reduction_factor = bearing::rating::RollerSet{}.reduction_factor;  // [-]  of the capacities
+  bearing::rating::StressRiser stress_riser = bearing::rating::StressRiser::position;
+};
+template <class Visitor>
+void describe(Visitor& visit, RollerLifeInputs& m) {
+  using namespace described;
+  members(visit, m, system::reduction_factor_row(m.reduction_factor),
+          input(m.stress_riser, "life.stress_riser",
+                "stress at the ends of rollers in L10rh and L10mrh. position: a function of the position "
+                "along the roller, equal to the formula of ISO/TS 16281 for 30 laminae; standard: its "
+                "formula for the laminae of the case, on whose number lives of straight rollers then depend",
+                {.reason = "lives do not depend on the number of laminae"}));
+}
+
+/// The oil of a bearing, for films, friction and kappa.
+struct BearingOil {
+  std::optional<bearing::OilGrade> grade;     // none: not stated by a grade
+  double temperature = 70.0;                  // [degC]  at which the oil of a grade runs
+  std::optional<double> kinematic_viscosity;  // [m^2/s]  at running temperature
+  bearing::Lubricant lubricant = bearing::warm_gear_oil;
+};
+/// A case states a grade by several inputs.
+template <class Visitor>
+void describe(Visitor& visit, BearingOil& m) {
+  using namespace described;
+  members(
+      visit, m, internal(m.grade, "lubricant.grade"),
+      input(m.temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
+            {.dimension = dimension::temperature,
+             .range = {-20.0, 150.0},
+             .reason = "oil of a gearbox at full load"}),
+      input(m.kinematic_viscosity, "lubricant.kinematic_viscosity",
+            "kinematic viscosity at running temperature, instead of kappa",
+            {.dimension = dimension::kinematic_viscosity, .range = positive(1e6)}),
+      part(m.lubricant));
+}
+
+/// Inputs of all runs of a bearing under a load of its own.
+struct LoadedBearing {
+  bearing::equilibrium::RingLoad load;
+  RingRotation rotation;
+  bearing::Bearing bearing;
+  StatedCapacities capacities;
+  LifeInputs life;
+  BearingOil oil;
+  std::optional<bearing::friction::BearingSize> size;  // boundary dimensions, without C_0; none: not known
+};
+/// Dimensions are stated, or those of a designation.
+template <class Visitor>
+void describe(Visitor& visit, LoadedBearing& m) {
+  using namespace described;
+  members(visit, m, part(m.load), part(m.rotation), part(m.bearing), part(m.capacities), part(m.life),
+          part(m.oil), internal(m.size, "bearing.size"));
+}
+
+/// Laminae of rollers where a case states none: at rest they are always cut.
+inline constexpr int default_laminae = bearing::rating::kLeastRatedLaminae;
+
+/// Oil between the rollers of a bearing, and the heat that it takes along.
+struct RollerOil {
+  double share = bearing::motion::OilDragParameters{}.oil_share;  // [-]  of the free volume
+  double flow = 0.0;                                              // [m^3/s]
+  bearing::motion::Starvation starvation = bearing::motion::Starvation::none;
+  bool heated = false;  // the oil has the temperature at which it leaves with all heat
+  system::HeatModel model = system::HeatModel::network;
+  double inlet = system::HeatParameters{}.inlet;  // [degC]
+};
+template <class Visitor>
+void describe(Visitor& visit, RollerOil& m) {
+  using namespace described;
+  members(
+      visit, m,
+      input(m.share, "lubricant.share", "oil in the free volume of the bearing",
+            {.range = {0.0, 1.0}, .reason = "oil mist with jets"}),
+      input(m.flow, "lubricant.flow",
+            "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
+            {.dimension = dimension::flow, .range = {0.0, 1000.0}, .reason = "grease, or a bath"}),
+      input(m.starvation, "traction.starvation",
+            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
+            "at rest by the oil that returns to the tracks",
+            {.reason = "flooded, as in published cases"}),
+      input(m.heated, "heat.enabled",
+            "temperatures and the oil's viscosity are computed from the friction; of rollers at rest with "
+            "heat.model: oil",
+            {.reason = "the viscosity is stated at running temperature"}),
+      input(m.model, "heat.model",
+            "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
+            {.reason = "bearings lose heat by their seats too"}),
+      input(m.inlet, "heat.inlet", "temperature of the oil that flows in",
+            {.dimension = dimension::temperature, .range = {-60.0, 400.0}, .reason = "a tank's"}));
+}
+
+/// Inputs of the run of a roller bearing, at rest.
+struct RollersUnderLoad {
+  LoadedBearing loaded{.bearing = {.elements = bearing::CylindricalRollers{.laminae = default_laminae}}};
+  RollerLifeInputs life;
+  RollerOil oil;
+};
+template <class Visitor>
+void describe(Visitor& visit, RollersUnderLoad& m) {
+  using namespace described;
+  members(visit, m, part(m.loaded), part(m.life), part(m.oil));
+}
+
+/// Effects of the motion of balls on their equilibrium.
+struct BallsOnRaces {
+  bearing::equilibrium::BallInertia inertia;
+  bool film = false;  // takes part in the approach
+};
+template <class Visitor>
+void describe(Visitor& visit, BallsOnRaces& m) {
+  using namespace described;
+  members(visit, m, part(m.inertia),
+          input(m.film, "film.enabled", "the approach includes the film",
+                {.reason = "dry contacts first; the effect of the film is shown separately"}));
+}
+
+/// Inputs of the run of a ball bearing at rest.
+struct BallsUnderLoad {
+  LoadedBearing loaded{.bearing = {.elements = bearing::Balls{}}};
+  BallsOnRaces balls;
+  std::vector<double> speeds;  // [rad/s]  of the inner ring, over which its equilibrium is tabulated
+};
+inline auto speeds_row(std::vector<double>& speeds) {
+  using namespace described;
+  return input(
+      speeds, "operation.speeds",
+      "speeds of the inner ring over which run and stiffness tabulate the equilibrium, and modes and "
+      "run of a duplex pair its natural frequencies",
+      {.dimension = dimension::angular_speed, .range = {-1e6, 1e6}});
+}
+template <class Visitor>
+void describe(Visitor& visit, BallsUnderLoad& m) {
+  using namespace described;
+  members(visit, m, part(m.loaded), part(m.balls), speeds_row(m.speeds));
+}
+
+/// Motion of the balls and the cage in time.
+struct BallSimulation {
+  double shaft_acceleration = 0.0;  // [rad/s^2]  from rest up to the speed; 0: that speed from the start on
+  bearing::balls::MotionParameters motion;
+  system::BallRunOptions options;
+  system::HeatParameters heat;
+};
+template <class Visitor>
+void describe(Visitor& visit, BallSimulation& m) {
+  using namespace described;
+  members(
+      visit, m,
+      input(m.shaft_acceleration, "operation.shaft_acceleration",
+            "acceleration of the inner ring from rest up to its speed; 0: that speed from the start on",
+            {.dimension = dimension::angular_acceleration, .range = {0.0, 1e9}, .reason = "steady speed"}),
+      part(m.motion), part(m.options), part(m.heat));
+}
+
+/// Inputs of the run of a ball bearing in time.
+struct BallsInTime {
+  LoadedBearing loaded{.bearing = {.elements = bearing::Balls{}}};
+  BallSimulation simulation;
+};
+template <class Visitor>
+void describe(Visitor& visit, BallsInTime& m) {
+  using namespace described;
+  members(visit, m, part(m.loaded), part(m.simulation));
+}
+
+inline auto load_factors_row(std::vector<double>& factors) {
+  using namespace described;
+  return input(factors, "operation.load_factors",
+               "factors of the whole load at which stiffness is given; left out: 1",
+               {.range = positive(1e6)});
+}
+
+/// Inputs of the stiffness of a roller bearing.
+struct RollerSupport {
+  bearing::equilibrium::RingLoad load;
+  bearing::Bearing bearing{.elements = bearing::CylindricalRollers{.laminae = default_laminae}};
+  std::vector<double> load_factors;  // [-]  none: 1
+};
+template <class Visitor>
+void describe(Visitor& visit, RollerSupport& m) {
+  using namespace described;
+  members(visit, m, part(m.load), part(m.bearing), load_factors_row(m.load_factors));
+}
+
+/// Inputs of the stiffness of a ball bearing.
+struct BallSupport {
+  bearing::equilibrium::RingLoad load;
+  RingRotation rotation;
+  bearing::Bearing bearing{.elements = bearing::Balls{}};
+  BallsOnRaces balls;
+  bearing::Lubricant lubricant = bearing::warm_gear_oil;
+  std::vector<double> speeds;        // [rad/s]  of the inner ring; none: its own
+  std::vector<double> load_factors;  // [-]  none: 1
+};
+template <class Visitor>
+void describe(Visitor& visit, BallSupport& m) {
+  using namespace described;
+  members(visit, m, part(m.load), part(m.rotation), part(m.bearing), part(m.balls), part(m.lubricant),
+          speeds_row(m.speeds), load_factors_row(m.load_factors));
+}
+
+// Parameters of the analyses, which follow from these inputs.
+
+/// The bearing with its motion relative to the load.
+bearing::Bearing rotating_bearing(const LoadedBearing& in);
+/// Motion of a row of balls, and its film where that takes part.
+bearing::equilibrium::RowMotion row_motion(const RingRotation& rotation, const BallsOnRaces& balls,
+                                           const bearing::Lubricant& lubricant);
+
+bearing::rating::StatedRatings stated_ratings(const RollersUnderLoad& in);
+/// For balls.
+bearing::rating::StatedRatings stated_ratings(const StatedCapacities& stated);
+
+/// None where neither oil nor cleanliness is stated: then lives have no a_ISO.
+std::optional<bearing::rating::StatedOil> stated_oil(const LoadedBearing& in);
+/// P, P_0, oil and a_1. Throws std::invalid_argument where kappa is below the range of a_ISO.
+bearing::rating::RatingCondition rating_condition(const LoadedBearing& in);
+bearing::rating::Life governing_life(const LoadedBearing& in);
+
+/// Equilibrium of a bearing under its load. Throws NoResult where there is none.
+bearing::equilibrium::RingState balanced(const bearing::Bearing& bearing,
+                                         const bearing::equilibrium::RowMotion& motion,
+                                         const bearing::equilibrium::RingLoad& load);
+
+}  // namespace orbearing::analysis
