@@ -88,7 +88,7 @@ BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& p
   system::BallRunOptions options = in.simulation.options;
   options.first_ball = bearing.first_element;
   const bearing::rating::BearingRating rating =
-      bearing::rating::bearing_rating(bearing, stated_ratings(in.loaded.capacities));
+      bearing::rating::bearing_rating(bearing, in.loaded.capacities.ratings());
   const bearing::rating::RatingCondition condition = rating_condition(in.loaded);
   const bearing::rating::Ratings& ratings = rating.ratings;
   BallRun study;

@@ -467,7 +467,7 @@ BearingUnderLoad rollers_under_load(const RollersUnderLoad& in) {
 }
 
 BearingUnderLoad balls_under_load(const BallsUnderLoad& in) {
-  const rating::StatedRatings stated = stated_ratings(in.loaded.capacities);
+  const rating::StatedRatings stated = in.loaded.capacities.ratings();
   const equilibrium::RowMotion motion = row_motion(in.loaded.rotation, in.balls, in.loaded.oil.lubricant);
   BearingUnderLoad study = under_load(in.loaded, stated, motion);
   if (motion.film && study.state.inner_rolling.size() > 0) {
@@ -552,7 +552,7 @@ BearingQuantities quantities_of(const RollersUnderLoad& in) {
 }
 
 BearingQuantities quantities_of(const BallsUnderLoad& in) {
-  BearingQuantities found = quantities(in.loaded, stated_ratings(in.loaded.capacities));
+  BearingQuantities found = quantities(in.loaded, in.loaded.capacities.ratings());
   const equilibrium::BallRow row(in.loaded.bearing);
   found.groove_distance = row.groove_distance();
   found.free_contact_angle = row.free_angle();

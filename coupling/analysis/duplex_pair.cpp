@@ -94,12 +94,6 @@ std::vector<mechanics::Conditional<DuplexPair>> DuplexPair::conditions() {
   return conditions_of_pair<DuplexPair>();
 }
 
-bearing::rating::StatedRatings StatedCapacities::ratings() const {
-  return {.dynamic_capacity = dynamic_capacity,
-          .static_capacity = static_capacity,
-          .fatigue_load_limit = fatigue_load_limit};
-}
-
 mechanics::Problems problems(const DuplexPair& machine) {
   const PreloadedPair& pair = machine.preloaded;
   mechanics::Problems found;

@@ -13,6 +13,7 @@
 #include "bearing/life/standard_life.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/analysis/rows_of_model.hpp"
+#include "coupling/analysis/stated_capacities.hpp"
 #include "mechanics/conditional.hpp"
 #include "mechanics/problem.hpp"
 
@@ -167,29 +168,6 @@ void describe(Visitor& visit, PreloadedPair& m) {
       part(m.bearing, [&] { describe_for_model(visit, m.bearing, duplex_pair); }),
       block(m.spindle, "spindle"), either(m.housing), block(m.linear, "linear"),
       block(m.operation, "operation"), part(m.ball_inertia));
-}
-
-/// Ratings that replace those of the standards.
-struct StatedCapacities {
-  std::optional<double> dynamic_capacity{};    // [N]  C
-  std::optional<double> static_capacity{};     // [N]  C_0
-  std::optional<double> fatigue_load_limit{};  // [N]  C_u
-
-  bearing::rating::StatedRatings ratings() const;
-};
-template <class Visitor>
-void describe(Visitor& visit, StatedCapacities& m) {
-  using namespace described;
-  const Details of_load{.dimension = dimension::force, .range = positive(1e9)};
-  members(visit, m,
-          input(m.dynamic_capacity, "bearing.dynamic_capacity",
-                "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; if absent, C by ISO "
-                "281",
-                of_load),
-          input(m.static_capacity, "bearing.static_capacity",
-                "basic static load rating C_0; if absent, C_0 by ISO 76", of_load),
-          input(m.fatigue_load_limit, "bearing.fatigue_load_limit",
-                "fatigue load limit C_u; if absent, C_u by ISO 281 from C_0", of_load));
 }
 
 /// The machine of the model duplex-pair.

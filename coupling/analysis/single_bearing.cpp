@@ -50,14 +50,8 @@ equilibrium::RowMotion row_motion(const RingRotation& rotation, const BallsOnRac
   return motion;
 }
 
-rating::StatedRatings stated_ratings(const StatedCapacities& stated) {
-  return {.dynamic_capacity = stated.dynamic_capacity,
-          .static_capacity = stated.static_capacity,
-          .fatigue_load_limit = stated.fatigue_load_limit};
-}
-
 rating::StatedRatings stated_ratings(const RollersUnderLoad& in) {
-  rating::StatedRatings ratings = stated_ratings(in.loaded.capacities);
+  rating::StatedRatings ratings = in.loaded.capacities.ratings();
   ratings.reduction_factor = in.life.reduction_factor;
   ratings.stress_riser = in.life.stress_riser;
   return ratings;

@@ -13,6 +13,7 @@
 #include "bearing/friction/published_torque.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/parameters.hpp"
+#include "coupling/analysis/stated_capacities.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/heated_balls.hpp"
 
@@ -68,29 +69,6 @@ void describe(Visitor& visit, RingRotation& m) {
           speed(m.outer_speed, "operation.outer_speed", "speed of the outer ring"),
           input(m.turning_race, "operation.turning_race", "race that rotates relative to the load",
                 {.reason = "a stationary load on a rotating shaft"}));
-}
-
-/// Ratings that are stated instead of those by the standards.
-struct StatedCapacities {
-  std::optional<double> dynamic_capacity;    // [N]  C
-  std::optional<double> static_capacity;     // [N]  C_0
-  std::optional<double> fatigue_load_limit;  // [N]  C_u
-};
-template <class Visitor>
-void describe(Visitor& visit, StatedCapacities& m) {
-  using namespace described;
-  const auto rating = [](std::optional<double>& member, const char* key, const char* meaning) {
-    return input(member, key, meaning, {.dimension = dimension::force, .range = positive(1e9)});
-  };
-  members(
-      visit, m,
-      rating(m.dynamic_capacity, "bearing.dynamic_capacity",
-             "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; if absent, C by ISO "
-             "281"),
-      rating(m.static_capacity, "bearing.static_capacity",
-             "basic static load rating C_0; if absent, C_0 by ISO 76"),
-      rating(m.fatigue_load_limit, "bearing.fatigue_load_limit",
-             "fatigue load limit C_u; if absent, C_u by ISO 281 from C_0"));
 }
 
 /// How lives are computed, and cleanliness of the oil.
@@ -339,8 +317,6 @@ bearing::equilibrium::RowMotion row_motion(const RingRotation& rotation, const B
                                            const bearing::Lubricant& lubricant);
 
 bearing::rating::StatedRatings stated_ratings(const RollersUnderLoad& in);
-/// For balls.
-bearing::rating::StatedRatings stated_ratings(const StatedCapacities& stated);
 
 /// None where neither oil nor cleanliness is stated: then lives have no a_ISO.
 std::optional<bearing::rating::StatedOil> stated_oil(const LoadedBearing& in);
