@@ -53,7 +53,7 @@ Option output_row(std::string& folder, const char* meaning = "folder of the resu
                   bool required = false);
 /// The same where --json does without.
 Option output_or_json_row(std::string& folder);
-/// What is wrong with a place where a result is printed alone with --json only.
+/// Mistakes of a place where a result is printed alone with --json only.
 std::vector<std::string> problems(const ResultPlace& place, const Printing& print);
 
 /// Fidelity of analyses that distinguish it, where none is named.

@@ -101,7 +101,7 @@ TEST(Options, BothWaysRefuseTheSameValues) {
       {"sweep", "--jobs", "jobs", 2.5},        {"sweep", "--jobs", "jobs", "0x10"},
       {"sweep", "--jobs", "jobs", "many"},     {"table", "--bound", "bound", 1.5},
       {"table", "--bound", "bound", "nan"},    {"sweep", "--fidelity", "fidelity", "fast"},
-      {"sweep", "--fidelity", "fidelity", ""}, {"crown", "--of", "of", " "},
+      {"sweep", "--fidelity", "fidelity", " "}, {"crown", "--of", "of", " "},
       {"signals", "--seed", "seed", -1},       {"signals", "--seed", "seed", "1234567890123456789"},
       {"signals", "--seed", "seed", 1},        {"sweep", "--moon", "moon", 1}};
   for (const auto& [command, option, key, value] : all) {
