@@ -7,31 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/case/machine_of.hpp"
-
 namespace orbearing::app {
 
 namespace {
-
-template <class Row>
-using InputsOfRow = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
-
-// Conditions beside the inputs of the analysis under which this one has an effect.
-template <class Row>
-std::vector<Condition> conditions_on(Row, const std::string& path) {
-  using Inputs = InputsOfRow<Row>;
-  std::vector<Condition> found;
-  if constexpr (requires { Inputs::conditions(); })
-    for (const auto& one : Inputs::conditions())
-      if (std::ranges::any_of(one.keys, [&](const std::string& key) { return path.starts_with(key); }))
-        found.push_back({.paths = one.on,
-                         .holds =
-                             [holds = one.holds](const ResolvedCase& in, std::string_view) {
-                               return in.model() == Row::model && holds(machine_of<Inputs>(in));
-                             },
-                         .text = one.text});
-  return found;
-}
 
 void add_use(Use& use, use::Analysis used, std::vector<Condition> conditions) {
   if (conditions.empty())
@@ -68,13 +46,13 @@ std::map<Model, std::vector<Field>> fields_by_model() {
     describe(visit, machine);
     all[Row::model] = std::move(visit.fields);
   });
-  MachineAnalyses::each([&]<class Row>(Row row, std::size_t number) {
+  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
     const std::vector<std::string> taken = paths_of<InputsOfRow<Row>>();
     for (Field& field : all.at(Row::model))
       if (std::ranges::find(taken, field.path) == taken.end())
         field.use.not_modelled_by |= use_of_machine_analysis(number);
       else
-        add_use(field.use, use_of_machine_analysis(number), conditions_on(row, field.path));
+        add_use(field.use, use_of_machine_analysis(number), conditions_on(field.path, number));
   });
   for (auto& [model, fields] : all)
     for (Field& field : fields) join_ways(field.use);

@@ -156,6 +156,10 @@ std::vector<std::string> paths_of() {
   return std::move(visit.paths);
 }
 
+/// Conditions under which an input has an effect on the analysis of that number, from the type that it takes
+/// (machine_conditions.cpp).
+std::vector<Condition> conditions_on(std::string_view path, std::size_t analysis);
+
 /// Fields of the machine of that model; empty where its cases are no type.
 const std::vector<Field>& fields_of_machine(Model model);
 

@@ -14,7 +14,7 @@ namespace {
 
 template <class Row>
 AnalysisResult computed(const ResolvedCase& in, const AnalysisOptions&) {
-  using Inputs = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
+  using Inputs = InputsOfRow<Row>;
   const auto found = computed_for(in, [&] { return Row::analyse(machine_of<Inputs>(in)); });
   AnalysisResult result;
   describe(result.record, found);
