@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -80,7 +81,7 @@ struct Condition {
   std::vector<std::string> values{};
   bool absent = false;  // instead: none of `paths` is stated; a default is not
   // Instead: what follows from several values at once, in the set of the field: "sets.NAME." or "".
-  bool (*holds)(const ResolvedCase&, std::string_view set) = nullptr;
+  std::function<bool(const ResolvedCase&, std::string_view set)> holds{};
   std::string text{};  // of that: "it counts only where ..."
 };
 

@@ -36,6 +36,10 @@ inline constexpr bool is_list_of_parts<std::vector<Part>> =
   std::tuple_size<Part>::value;
 };
 
+/// Members that a case may leave out: absent ones, and lists of numbers, which are empty then.
+template <class T>
+inline constexpr bool may_be_left_out = described::is_optional<T> || std::is_same_v<T, std::vector<double>>;
+
 template <class T>
 inline constexpr std::size_t stated_count = 0;
 template <class Number, std::size_t n>
@@ -71,7 +75,7 @@ class MachineFields {
     }
     field.count = stated_count<Member>;
     if (facts.details.reason.empty()) field.default_text.clear();
-    const bool required = facts.details.reason.empty() && !described::is_optional<Member>;
+    const bool required = facts.details.reason.empty() && !may_be_left_out<Member>;
     (alternatives_.empty() ? field.required_by : unused_) = required ? unsigned{model_} : 0u;
     field.required_if_chosen = required && !alternatives_.empty();
   }
@@ -152,6 +156,10 @@ std::vector<std::string> paths_of() {
   describe(visit, inputs);
   return std::move(visit.paths);
 }
+
+/// Conditions under which an input has an effect on the analysis of that number, from the type that it takes
+/// (machine_conditions.cpp).
+std::vector<Condition> conditions_on(std::string_view path, std::size_t analysis);
 
 /// Fields of the machine of that model; empty where its cases are no type.
 const std::vector<Field>& fields_of_machine(Model model);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "app/case/field_use.hpp"
@@ -83,6 +84,10 @@ template <class Result, class Inputs>
 struct InputsOf<Result (*)(const Inputs&)> {
   using Type = Inputs;
 };
+
+/// The same of a row of MachineAnalyses.
+template <class Row>
+using InputsOfRow = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
 
 /// The bit of the analysis of that number among those of all.
 constexpr use::Analysis use_of_machine_analysis(std::size_t number) {

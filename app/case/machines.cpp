@@ -14,8 +14,8 @@ namespace {
 
 template <class Row>
 AnalysisResult computed(const ResolvedCase& in, const Wanted&) {
-  using Inputs = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
-  const auto found = Row::analyse(machine_of<Inputs>(in));
+  using Inputs = InputsOfRow<Row>;
+  const auto found = computed_for(in, [&] { return Row::analyse(machine_of<Inputs>(in)); });
   AnalysisResult result;
   describe(result.record, found);
   result.warnings = found.warnings;

@@ -1,6 +1,7 @@
 // Checks, results and analyses of machines whose cases are types, by their rows in machine_rows.hpp.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/case/analysis_result.hpp"
 #include "app/case/machine_rows.hpp"
 #include "app/case/resolved_case.hpp"
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -24,6 +26,16 @@ struct MachineAnalysis {
 const std::vector<MachineAnalysis>& machine_analyses();
 /// Analysis of a command; null where the model has none, or is not a machine.
 const MachineAnalysis* machine_analysis(Model model, std::string_view command);
+
+/// Result of `compute`. Throws ComputationFailed with the name of the case where the library finds none.
+template <class Compute>
+auto computed_for(const ResolvedCase& in, const Compute& compute) {
+  try {
+    return compute();
+  } catch (const std::runtime_error& failure) {
+    throw ComputationFailed(in.text("name") + ": " + failure.what());
+  }
+}
 
 /// Mistakes in the inputs of a machine: missing values, or values that do not fit together.
 void check_machine(CheckedCase& in);

@@ -48,6 +48,7 @@ set(ORBEARING_CASE_SOURCES
   case/use_conditions.cpp
   case/yaml_tree.cpp
   case/bearing_type.cpp
+  case/machine_conditions.cpp
   case/machine_fields.cpp
   case/machines.cpp
   case/matrix_file.cpp)

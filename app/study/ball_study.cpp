@@ -8,6 +8,7 @@
 #include "app/case/oil_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/static_study.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/balls.hpp"
