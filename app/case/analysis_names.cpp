@@ -27,8 +27,6 @@ constexpr std::pair<use::Analysis, const char*> kNames[] = {
     {use::defect, "run of a bearing with scratches"},
     {use::moving_defect, "run --fidelity dynamic of a bearing with scratches"},
     {use::planet_defect, "run of a set with a scratched planet bearing"},
-    {use::duplex_modes, "modes of a duplex pair"},
-    {use::duplex_run, "run of a duplex pair"},
     {use::stiffness, "stiffness of a single bearing"},
     {use::planet_stiffness, "stiffness of a planet bearing"},
     {use::carrier, "carrier"},

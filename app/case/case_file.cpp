@@ -66,7 +66,8 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
 // Hint for keys of blocks that were read before and are not any more; else empty.
 std::string retired_hint(const std::string& key, const std::string& prefix) {
   if (!prefix.empty() || (key != "measured" && key != "identification")) return {};
-  return "a case without it is required: a shaft is no longer identified from measured frequencies. State the "
+  return "a case without it is required: a shaft is no longer identified from measured frequencies. State "
+         "the "
          "shaft as spindle.mass, spindle.first_lever, spindle.second_lever and spindle.diameter or inertias";
 }
 
@@ -464,8 +465,8 @@ class Resolver {
     fill_source();
     for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
       if (field->default_text.empty() || !field->alternatives.empty() || data_.values.contains(path) ||
-          is_faulty(path) ||
-          is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
+          is_faulty(path) || is_of_missing_bearing({path, field}) ||
+          (field->default_without_bearing && has_bearing(path)))
         continue;
       data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};
       data_.assumed[path] = "default: " + field->default_reason;

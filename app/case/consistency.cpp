@@ -10,7 +10,6 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
-#include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
@@ -286,7 +285,6 @@ void check_one_set(CheckedCase& in) {
   check_profile(in);
   check_static_bearing(in);
   check_defect(in);
-  check_duplex(in);
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
 

@@ -24,7 +24,7 @@ unsigned holding(described::Physics physics) {
       {output, 0},
       {gear_motion, use::gears_in_motion},
       {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
-                    use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness},
+                    use::balls_in_motion | use::defect | use::planet_stiffness},
       {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
                     use::planet_stiffness},
       {carrier_body, use::carrier},
@@ -38,8 +38,8 @@ unsigned holding(described::Physics physics) {
       {life, use::lives | use::fmu_bearing | use::static_load},
       {run, use::in_time},
       {run_up, use::dynamic | use::dynamic_of_sets},
-      {single_bearing, use::single_bearing_equilibrium | use::balls_in_motion | use::defect | use::duplex},
-      {rotating_balls, use::single_bearing_equilibrium | use::duplex},
+      {single_bearing, use::single_bearing_equilibrium | use::balls_in_motion | use::defect},
+      {rotating_balls, use::single_bearing_equilibrium},
       {single_bearing_run, use::ball_run},
       {defect, use::defect | use::moving_defect | use::planet_defect},
       {exchange, use::co_simulated}};
@@ -185,7 +185,7 @@ Use with_rotating_rings(const Use& use, const described::Facts& facts) {
   if (facts.physics == described::Physics::rotating_balls) return use.when(rotating);
   if (facts.path == "material.density")
     return use.used_too(
-        use::single_bearing_equilibrium | use::duplex,
+        use::single_bearing_equilibrium,
         {rotating, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
   if (facts.path == "film.enabled") {
     rotating.paths.emplace_back("input.speed");  // planets turn always

@@ -66,7 +66,6 @@ std::vector<Field> build_table() {
   table::add_drivetrain_fields(fields);
   table::add_bearing_fields(fields);
   table::add_static_fields(fields);
-  table::add_duplex_fields(fields);
   add_machine_fields(fields);
   table::add_oil_fields(fields);
   for (Field& field : fields)

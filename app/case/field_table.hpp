@@ -83,7 +83,6 @@ void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 void add_requirements(std::vector<Field>& fields);
-void add_duplex_fields(std::vector<Field>& fields);
 void add_oil_fields(std::vector<Field>& fields);
 void add_catalogue_fields(std::vector<Field>& fields);  // after those that they put conditions on
 }  // namespace table

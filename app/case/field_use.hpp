@@ -45,8 +45,6 @@ enum Analysis : unsigned {
   defect = 1u << 13,         // run of a bearing with scratches, on balls without mass
   ball_run = 1u << 16,       // run of a ball bearing in time
   moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
-  duplex_modes = 1u << 18,
-  duplex_run = 1u << 19,
   stiffness = 1u << 21,  // of a single bearing
   planet_stiffness = 1u << 22,
   planet_defect = 1u << 23,  // run of a drivetrain with a scratched planet bearing
@@ -67,9 +65,8 @@ inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearse
 inline constexpr unsigned of_a_drivetrain =
     lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect | carrier;
 inline constexpr unsigned single_bearing_equilibrium = static_load | stiffness;  // of a single bearing
-inline constexpr unsigned duplex = duplex_modes | duplex_run;
 inline constexpr unsigned all =
-    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | duplex | of_machines;
+    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | of_machines;
 /// Balls that roll and slip by themselves.
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use

@@ -9,6 +9,7 @@
 
 #include "app/case/field_use.hpp"
 #include "coupling/analysis/contact_film.hpp"
+#include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
 #include "mechanics/described.hpp"
 
@@ -38,6 +39,11 @@ struct PairOfGears {
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view prefix = "pair.";  // of what `check` derives
 };
+struct DuplexPair {
+  using Type = analysis::DuplexPair;
+  static constexpr Model model = described::duplex_pair;
+  static constexpr std::string_view prefix = "pair.";
+};
 struct SpinFilm {
   using Type = analysis::SpinFilm;
   static constexpr Model model = described::spin_film;
@@ -52,6 +58,25 @@ struct MeshesOfPair {
   static constexpr const char* other_fidelity = "";  // required instead of another --fidelity
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
   static constexpr double scatter = app::scatter::at_rest;
+};
+struct DuplexModes {
+  static constexpr auto analyse = analysis::duplex_modes;
+  static constexpr Model model = described::duplex_pair;
+  static constexpr std::string_view command = "modes";
+  static constexpr const char* name = "modes of a duplex pair";
+  static constexpr const char* other_fidelity = "";
+  static constexpr ResultNames names{"modes", "modes of a shaft on a duplex pair"};
+  static constexpr double scatter = app::scatter::of_balls;
+};
+struct DuplexRun {
+  static constexpr auto analyse = analysis::duplex_run;
+  static constexpr Model model = described::duplex_pair;
+  static constexpr std::string_view command = "run";
+  static constexpr const char* name = "run of a duplex pair";
+  static constexpr const char* other_fidelity =
+      "none for the model duplex-pair, which is in static equilibrium";
+  static constexpr ResultNames names{"duplex", "shaft on a duplex pair", "duplex.json"};
+  static constexpr double scatter = app::scatter::of_balls;
 };
 struct FilmOfContact {
   static constexpr auto analyse = analysis::film_of_contact;
@@ -74,8 +99,9 @@ struct RowsOf {
     (call(Rows{}, number++), ...);
   }
 };
-using Machines = RowsOf<machine_rows::PairOfGears, machine_rows::SpinFilm>;
-using MachineAnalyses = RowsOf<machine_rows::MeshesOfPair, machine_rows::FilmOfContact>;
+using Machines = RowsOf<machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
+using MachineAnalyses = RowsOf<machine_rows::MeshesOfPair, machine_rows::DuplexModes, machine_rows::DuplexRun,
+                               machine_rows::FilmOfContact>;
 
 /// Type of the inputs of a library function.
 template <class Function>

@@ -14,8 +14,6 @@ set(ORBEARING_CASE_SOURCES
   case/consistency.cpp
   case/defect_case.cpp
   case/derived_defaults.cpp
-  case/duplex_case.cpp
-  case/duplex_fields.cpp
   case/described_fields.cpp
   case/drivetrain_fields.cpp
   case/field.cpp

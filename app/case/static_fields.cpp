@@ -50,22 +50,21 @@ void add_operation(std::vector<Field>& fields) {
   Use of_shaft = by_any_load;
   of_shaft.by |= use::defect | use::moving_defect;
   // The stiffness of balls is computed at the speed of the shaft.
-  Rows(fields, single_bearing | described::single_scratched | duplex_pair)
+  Rows(fields, single_bearing | described::single_scratched)
       .quantity("operation.shaft_speed", "speed of the inner ring",
-                of_shaft.used_too(use::duplex, where_balls_turn_with_effect())
-                    .used_too(use::stiffness, {of_balls, where_absent("operation.speeds")}),
+                of_shaft.used_too(use::stiffness, {of_balls, where_absent("operation.speeds")}),
                 dimension::angular_speed, {-1e6, 1e6})
       .by_default("0 rpm", "a stationary ring");
   rows.quantity("operation.outer_speed", "speed of the outer ring",
                 by_any_load.used_too(use::stiffness, {of_balls, where_balls_turn_with_effect()}),
                 dimension::angular_speed, {-1e6, 1e6})
       .by_default("0 rpm", "a stationary ring");
-  Rows(fields, ball_bearing | duplex_pair)
+  Rows(fields, ball_bearing)
       .quantity(
           "operation.speeds",
           "speeds of the inner ring over which run and stiffness tabulate the equilibrium, and modes and "
           "run of a duplex pair its natural frequencies",
-          Use(use::single_bearing_equilibrium | use::duplex, 0), dimension::angular_speed, {-1e6, 1e6})
+          Use(use::single_bearing_equilibrium, 0), dimension::angular_speed, {-1e6, 1e6})
       .listed();
   Rows(fields, static_bearing)
       .number("operation.load_factors", "factors of the whole load at which stiffness is given; left out: 1",
@@ -82,15 +81,12 @@ void add_operation(std::vector<Field>& fields) {
 }
 
 void add_capacities(std::vector<Field>& fields) {
-  Rows rows(fields, rated | duplex_pair);
-  // Ratings of each row of a pair too.
-  constexpr unsigned shown_by = use::static_load | use::ball_run | use::duplex_run;
-  const Use by_lives(shown_by | use::lives,
-                     use::stiffness | use::duplex_modes | (use::of_a_drivetrain & ~unsigned{use::lives}));
+  Rows rows(fields, rated);
+  constexpr unsigned shown_by = use::static_load | use::ball_run;
+  const Use by_lives(shown_by | use::lives, use::stiffness | (use::of_a_drivetrain & ~unsigned{use::lives}));
   // C_0 affects the fatigue load limit alone, which a crown shows in lives with an oil.
-  const Use by_limit =
-      Use(shown_by | rated_runs, use::stiffness | use::duplex_modes | (use::of_a_drivetrain & ~rated_runs))
-          .used_too(use::crown, where_oil_is_stated());
+  const Use by_limit = Use(shown_by | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
+                           .used_too(use::crown, where_oil_is_stated());
   rows.quantity("bearing.dynamic_capacity",
                 "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; if absent, C by ISO "
                 "281",

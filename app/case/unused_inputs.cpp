@@ -240,7 +240,6 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
   if (of_machine != 0) allowed = of_machine;
   if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
   if (resolved.model() == roller_defect) allowed = use::defect;
-  if (resolved.model() == duplex_pair) allowed = use::duplex;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness |

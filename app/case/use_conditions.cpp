@@ -89,11 +89,6 @@ bool pin_links_rows(const ResolvedCase& in, std::string_view) {
          (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 2);
 }
 
-bool pair_has_linear_column(const ResolvedCase& in, std::string_view) {
-  return in.has("arrangement") && in.choice("arrangement") != "back-to-back" &&
-         !is_nonzero(in, "operation.shaft_speed");
-}
-
 bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
   if (!in.shape().several) return !is_chosen(in, "gearset.fixed", "carrier");
   return std::any_of(in.shape().sets.begin(), in.shape().sets.end(), [&](const std::string& name) {

@@ -18,8 +18,6 @@ bool bearings_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether the pin of a planet links the bearings on it, if tilts are computed: two on a pin that both walls
 /// hold bend it equally.
 bool pin_links_rows(const ResolvedCase& in, std::string_view set);
-/// Whether the linear formulas of a duplex pair have a column: a stationary shaft, rows that do not separate.
-bool pair_has_linear_column(const ResolvedCase& in, std::string_view set);
 
 /// Whether the carrier of the set rotates; where no set is named, that of one of them.
 bool carrier_rotates(const ResolvedCase& in, std::string_view set);

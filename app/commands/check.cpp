@@ -38,9 +38,11 @@ std::vector<std::string> mesh_warnings(const ResolvedCase& resolved) {
 }
 
 Checked check(const ResolvedCase& resolved) {
-  if (!fields_of_machine(resolved.model()).empty())
-    return {machine_quantities(resolved), mesh_warnings(resolved)};
   const Analysis* analysis = analysis_of(resolved);
+  if (!fields_of_machine(resolved.model()).empty())
+    return {or_reason(analysis != nullptr ? analysis->names.name : "",
+                      [&] { return machine_quantities(resolved); }),
+            mesh_warnings(resolved)};
   const std::vector<Derived> own =
       analysis != nullptr && analysis->derived != nullptr
           ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })

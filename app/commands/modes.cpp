@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/units.hpp"
@@ -11,7 +12,6 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/carrier_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 
 namespace orbearing::app {
@@ -64,23 +64,21 @@ ResolvedCase point_for_modes(const Options& options) try {
   return resolved;
 }
 
-int duplex_modes(const ResolvedCase& resolved, const Options& options) {
-  const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
-  const PairPoint point = pair_point(resolved);
-  const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
-  Record record = record_of(point);
-  if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
-  present_record(resolved, record, joined(unused, point.warnings), options);
-  return std::ranges::any_of(over_speed, [](const PairAtSpeed& one) { return !one.modes; }) ? 1 : 0;
+int modes_of_machine(const MachineAnalysis& modes, const ResolvedCase& resolved, const Options& options) {
+  const std::vector<std::string> unused = require_used(resolved, modes.used);
+  const AnalysisResult result = modes.compute(resolved, {});
+  present_record(resolved, result.record, joined(unused, result.warnings), options);
+  return result.failed ? 1 : 0;
 }
 
 }  // namespace
 
 int modes_command(const Options& options) {
   const ResolvedCase resolved = point_for_modes(options);
-  if (is_duplex(resolved))
-    return duplex_modes(
-        options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);
+  if (const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes"))
+    return modes_of_machine(
+        *modes, options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved,
+        options);
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options);

@@ -17,7 +17,6 @@
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
 #include "app/study/static_study.hpp"
@@ -109,7 +108,7 @@ void require_results(const fs::path& folder, const ResolvedCase& resolved, const
 
 // Whether the folder holds the run of a single bearing under a static load, or of a duplex pair.
 bool is_static_run(const ResolvedCase& resolved, const Manifest& manifest) {
-  if (!is_static_bearing(resolved) && !is_duplex(resolved)) return false;
+  if (!is_static_bearing(resolved) && resolved.model() != duplex_pair) return false;
   const Analysis* analysis = analysis_of(resolved);
   return analysis != nullptr && manifest.header && manifest.header->fidelity == analysis->names.name;
 }
@@ -120,7 +119,8 @@ nlohmann::ordered_json data_of(const ResolvedCase& resolved, const Manifest& man
   if (is_defect(resolved)) return published_data(folder / defect_file_name, "defect");
   if (is_ball_run(resolved)) return published_data(folder / ball_file_name, "balls");
   if (is_static_run(resolved, manifest))
-    return {{is_duplex(resolved) ? "pair" : "static", printed_json(resolved, *analysis_of(resolved))}};
+    return {{resolved.model() == duplex_pair ? "pair" : "static",
+             printed_json(resolved, *analysis_of(resolved))}};
   if (holds_crown(folder)) return crown_data(resolved, folder);
   return sweep_data(resolved, manifest, options);
 }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "app/case/machines.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/stiffness_study.hpp"
 
 namespace orbearing::app {
@@ -14,9 +14,11 @@ namespace orbearing::app {
 int stiffness_command(const Options& options) {
   require_output(options);
   const ResolvedCase resolved = case_of(options);
-  const use::Analysis used = resolved.model() == planetary_drivetrain ? use::planet_stiffness
-                             : is_duplex(resolved)                    ? use::duplex_modes
-                                                                      : use::stiffness;
+  // Of a machine, its modes have the same inputs.
+  const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes");
+  const use::Analysis used = modes != nullptr                           ? modes->used
+                             : resolved.model() == planetary_drivetrain ? use::planet_stiffness
+                                                                        : use::stiffness;
   const std::vector<std::string> unused = require_used(resolved, used, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
   return compute_and_keep(resolved, options, {"stiffness", "stiffness"}, [&]() -> AnalysisResult {

@@ -9,7 +9,6 @@
 #include "app/errors.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
@@ -67,14 +66,6 @@ AnalysisResult scratched_planet(const ResolvedCase& in, const Wanted& wanted) {
   const PlanetDefectStudy study = planet_defect_study(in, wanted.progress);
   AnalysisResult result{.record = record_of(study)};
   put_load(study.vibration.largest_load, result);
-  return result;
-}
-
-AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const Wanted&) {
-  const DuplexStudy study = duplex_study(in);
-  AnalysisResult result = described_result(study);
-  result.failed =
-      std::ranges::any_of(study.over_speed, [](const PairAtSpeed& point) { return !point.modes; });
   return result;
 }
 
@@ -209,14 +200,6 @@ const std::vector<Analysis>& all_analyses() {
        .simulated = time_of_planet_signal,
        .compute = scratched_planet,
        .derived = planet_defect_quantities},
-      {.used = use::duplex_run,
-       .is_of = is_duplex,
-       .fidelities = {"quasi-static"},
-       .required = "none for the model duplex-pair, which is in static equilibrium",
-       .names = {"duplex", "shaft on a duplex pair", "duplex.json"},
-       .scatter = scatter::of_balls,
-       .compute = duplex_pair_at_rest,
-       .derived = duplex_quantities},
       {.used = use::gears,
        .is_of = runs_gears_alone,
        .fidelities = {},

@@ -11,10 +11,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/case/machine_of.hpp"
+#include "app/case/machines.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
@@ -109,18 +110,20 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
 
 // The shaft of a duplex pair under its preload.
 StiffnessStudy pair_stiffness(const ResolvedCase& in) {
-  const double own = in.has("operation.shaft_speed") ? in.quantity("operation.shaft_speed") : 0.0;
+  auto pair = machine_of<analysis::PreloadedPair>(in);
+  const double own = pair.operation.shaft_speed;
   StiffnessStudy study{.frame = "shaft against both outer rings, about its mass centre; z along the axis",
                        .damping = "a static equilibrium has none"};
   for (const double speed : list_or(in, "operation.speeds", own)) {
-    const PairPoint pair = pair_point(speed == own ? in : in.with("operation.shaft_speed", speed));
-    StiffnessPoint point{.speed = speed, .load = {{"preload_N", in.quantity("preload")}}};
+    pair.operation.shaft_speed = speed;
+    const analysis::PairPoint found = computed_for(in, [&] { return analysis::point_of(pair); });
+    StiffnessPoint point{.speed = speed, .load = {{"preload_N", pair.preload}}};
     point.stiffness =
-        equilibrium::turned_to_axes() * pair.asked().stiffness * equilibrium::turned_to_axes().transpose();
-    point.displacement = equilibrium::displacement_by_axes(pair.state);
-    point.largest_pressure = pair.state.largest_pressure;
+        equilibrium::turned_to_axes() * found.chosen().stiffness * equilibrium::turned_to_axes().transpose();
+    point.displacement = equilibrium::displacement_by_axes(found.state);
+    point.largest_pressure = found.state.largest_pressure;
     study.points.push_back(point);
-    study.warnings = pair.warnings;
+    study.warnings = found.warnings;
   }
   return study;
 }
@@ -193,7 +196,7 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
     study = single_stiffness(in);
   } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
     study = planet_stiffness_of(in);
-  } else if (is_duplex(in)) {
+  } else if (in.model() == duplex_pair) {
     study = pair_stiffness(in);
   } else {
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +

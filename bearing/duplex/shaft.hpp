@@ -35,6 +35,16 @@ struct Housing {
   double inertia = 0.0;  // [kg m^2]  about any diameter
 };
 
+template <class Visitor>
+void describe(Visitor& visit, Housing& m) {
+  using namespace described;
+  members(visit, m,
+          input(m.mass, "housing.mass", "mass of a housing that is free to move; left out: fixed housing",
+                {.dimension = dimension::mass, .range = positive(1e6)}),
+          input(m.inertia, "housing.inertia", "its inertia about a diameter through its mass centre",
+                {.dimension = dimension::inertia, .range = positive(1e6)}));
+}
+
 /// Inertia [kg m^2] about a diameter of a solid cylinder of `mass` [kg], `diameter` [m], `density` [kg/m^3]:
 /// m (d^2/16 + l^2/12), whose length l follows from the mass.
 double cylinder_inertia(double mass, double diameter, double density);
@@ -84,9 +94,22 @@ PairModes modes_of(const Stiffness& stiffness, const Shaft& shaft, const std::op
 
 /// Point of the frequency response.
 struct ResponsePoint {
-  double position = 0.0;     // [m]  along z from the mass centre, for directions x and y
-  double loss_factor = 0.0;  // [-]  eta of the structural damping: stiffness (1 + i eta)
+  double position = 0.0;       // [m]  along z from the mass centre, for directions x and y
+  double loss_factor = 0.005;  // [-]  eta of the structural damping: stiffness (1 + i eta)
 };
+
+template <class Visitor>
+void describe(Visitor& visit, ResponsePoint& m) {
+  using namespace described;
+  members(visit, m,
+          input(m.loss_factor, "loss_factor",
+                "structural damping of the frequency response: loss factor eta of all stiffness",
+                {.range = positive(1.0), .reason = "steel, by the source of the model"}),
+          input(m.position, "position",
+                "position of the impact and of the measured motion across the shaft, from its mass centre "
+                "towards the first row",
+                {.dimension = dimension::length, .range = {-1e4, 1e4}, .reason = "at the mass centre"}));
+}
 
 /// Acceleration over force [1/kg] of the shaft along x, y and z at one frequency [Hz].
 std::array<std::complex<double>, 3> accelerance(const Stiffness& stiffness, const Shaft& shaft,

@@ -69,7 +69,7 @@ def run_writes_its_files(work):
 
 def mistakes_are_named():
     for setting, word in (("preload=-1 N", "preload"), ("stiffness=elastic", "stiffness"),
-                          ("measured.preload=[3 N]", "no longer identified"), ("spindle.inertia_x=1 kg.m2", "spindle.inertia_y"),
+                          ("measured.preload=[3 N]", "no longer identified"), ("spindle.inertia_x=1 kg.m2", "spindle.diameter"),
                           ("identification.contact_angle=25 deg", "no longer identified"),
                           ("operation.outer_speed=100 rpm", "operation"), ("housing.mass=3 kg", "housing.inertia")):
         done = call("modes", CASE, "--set", setting)

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "app/case/case_file.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/errors.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/expected_file.hpp"
+#include "coupling/analysis/duplex_run.hpp"
 #include "tests/reference/measured_pairs.hpp"
 
 namespace orbearing::app {
@@ -22,8 +23,14 @@ namespace {
 
 const std::string kCase = ORBEARING_SOURCE_DIR "/cases/duplex_7020/case.yaml";
 
+using analysis::PairPoint;
+
 ResolvedCase pair(const std::vector<std::string>& settings) {
   return read_case(kCase, settings);
+}
+
+PairPoint point(const std::vector<std::string>& settings) {
+  return analysis::point_of(machine_of<analysis::PreloadedPair>(pair(settings)));
 }
 
 bool is_calculated(const PublishedValue& published) {
@@ -31,10 +38,10 @@ bool is_calculated(const PublishedValue& published) {
 }
 
 double deviation(const PublishedValue& published) {
-  const PairPoint point = pair_point(pair(published.settings));
-  for (std::size_t i = 0; i < point.asked().modes.size(); ++i)
+  const PairPoint found = point(published.settings);
+  for (std::size_t i = 0; i < found.chosen().modes.size(); ++i)
     if (published.quantity == fmt::format("modes:/modes/{}/frequency_Hz", i))
-      return point.asked().modes[i].frequency / *published.value - 1.0;
+      return found.chosen().modes[i].frequency / *published.value - 1.0;
   return std::nan("");
 }
 
@@ -51,9 +58,9 @@ TEST(FangDuplex, LinearFormulasGiveTheCalculatedColumn) {
 
 // `stiffness: linear` alone selects the constants of that column.
 TEST(FangDuplex, TheCaseHoldsBothSetsOfConstants) {
-  const PairPoint linear = pair_point(pair({"stiffness=linear"})), other = pair_point(pair({}));
-  EXPECT_NEAR(linear.asked().shaft.mass, 9.427, 0.001);
-  EXPECT_GT(other.asked().shaft.mass, 10.0);
+  const PairPoint linear = point({"stiffness=linear"}), other = point({});
+  EXPECT_NEAR(linear.chosen().shaft.mass, 9.427, 0.001);
+  EXPECT_GT(other.chosen().shaft.mass, 10.0);
 }
 
 // Any contact angle and preload: those of 7020A5 are in neither set of measured frequencies of the case.
@@ -61,8 +68,8 @@ TEST(FangDuplex, OtherBearingsTakeAngleAndPreloadAlone) {
   for (const char* stiffness : {"stiffness=linear", "stiffness=nonlinear"}) {
     double below = 0.0;
     for (const char* preload : {"preload=830 N", "preload=1960 N", "preload=3920 N"}) {
-      const PairPoint point = pair_point(pair({"bearing.contact_angle=25 deg", preload, stiffness}));
-      const double axial = point.asked().modes[2].frequency;
+      const PairPoint found = point({"bearing.contact_angle=25 deg", preload, stiffness});
+      const double axial = found.chosen().modes[2].frequency;
       EXPECT_GT(axial, below + 50.0);
       below = axial;
     }
@@ -81,9 +88,9 @@ std::vector<double> deviations(const MeasuredPairs& pairs, const std::vector<std
     std::vector<std::string> more = settings;
     more.push_back(std::string("bearing.contact_angle=") + measured.contact_angle);
     more.push_back(std::string("preload=") + measured.preload);
-    const PairPoint point = pair_point(pair(more));
+    const PairPoint found = point(more);
     for (std::size_t i = 0; i < measured.frequency.size(); ++i)
-      all.push_back(std::log(point.asked().modes[i].frequency / measured.frequency[i]));
+      all.push_back(std::log(found.chosen().modes[i].frequency / measured.frequency[i]));
   }
   return all;
 }
@@ -109,17 +116,16 @@ TEST(FangDuplex, MeasuredFrequenciesWithTheShaftOf7020C) {
     std::vector<std::string> settings;
     Errors of_7020C, of_7020A;
   };
-  const std::vector<Model> models{
-      {{}, {6.0, 14.7}, {5.6, 12.1}},
-      {{"arrangement=face-to-face", "spindle.mass=10.4987 kg", "spindle.first_lever=29.23575 mm",
-        "spindle.second_lever=29.23575 mm"},
-       {6.5, 15.5},
-       {11.3, 20.7}},
-      {{"stiffness=linear", "linear.mass=10.349029 kg", "linear.first_lever=39.900883 mm",
-        "linear.second_lever=0.146069 mm", "linear.inertia_x=0.10208535 kg.m2",
-        "linear.inertia_y=0.08735217 kg.m2"},
-       {6.4, 13.7},
-       {7.9, 18.6}}};
+  const std::vector<Model> models{{{}, {6.0, 14.7}, {5.6, 12.1}},
+                                  {{"arrangement=face-to-face", "spindle.mass=10.4987 kg",
+                                    "spindle.first_lever=29.23575 mm", "spindle.second_lever=29.23575 mm"},
+                                   {6.5, 15.5},
+                                   {11.3, 20.7}},
+                                  {{"stiffness=linear", "linear.mass=10.349029 kg",
+                                    "linear.first_lever=39.900883 mm", "linear.second_lever=0.146069 mm",
+                                    "linear.inertia_x=0.10208535 kg.m2", "linear.inertia_y=0.08735217 kg.m2"},
+                                   {6.4, 13.7},
+                                   {7.9, 18.6}}};
   constexpr double digits = 0.05;  // [%]  of the printed errors
   for (const Model& model : models) {
     SCOPED_TRACE(model.settings.empty() ? "the case" : model.settings.front());
@@ -138,8 +144,8 @@ TEST(FangDuplex, TheShaftOfTheCaseFits7020CBest) {
     const std::string of_lever = fmt::format("{} mm", lever);
     double sum = 0.0;
     for (const double one :
-         deviations(measured_7020C, {fmt::format("spindle.mass={} kg", mass), "spindle.first_lever=" + of_lever,
-                                     "spindle.second_lever=" + of_lever}))
+         deviations(measured_7020C, {fmt::format("spindle.mass={} kg", mass),
+                                     "spindle.first_lever=" + of_lever, "spindle.second_lever=" + of_lever}))
       sum += one * one;
     return sum;
   };
@@ -149,14 +155,14 @@ TEST(FangDuplex, TheShaftOfTheCaseFits7020CBest) {
   EXPECT_LT(least, squares(mass * (1.0 - apart), lever));
   EXPECT_LT(least, squares(mass, lever * (1.0 + apart)));
   EXPECT_LT(least, squares(mass, lever * (1.0 - apart)));
-  const bearing::duplex::Shaft shaft = pair_point(pair({})).nonlinear.shaft;
+  const bearing::duplex::Shaft shaft = point({}).nonlinear.shaft;
   EXPECT_DOUBLE_EQ(shaft.mass, mass);
   EXPECT_DOUBLE_EQ(shaft.levers.first, 1e-3 * lever);
 }
 
 // Physical bounds: bearings that do not overlap, a shaft within a few per cent of a cylinder through them.
 TEST(FangDuplex, TheShaftIsPossible) {
-  const bearing::duplex::Shaft shaft = pair_point(pair({})).nonlinear.shaft;
+  const bearing::duplex::Shaft shaft = point({}).nonlinear.shaft;
   const double length = shaft.mass / (7850.0 * 0.25 * 3.14159265358979 * 0.1 * 0.1);
   EXPECT_GT(2.0 * shaft.levers.first, 24e-3);
   EXPECT_GT(length, 2.0 * shaft.levers.first + 24e-3);
@@ -165,21 +171,20 @@ TEST(FangDuplex, TheShaftIsPossible) {
 
 // Fig. 7: the place of the balls changes next to nothing.
 TEST(FangDuplex, PositionOfTheBallsHardlyMatters) {
-  const PairPoint one = pair_point(pair({})),
-                  turned = pair_point(pair({"bearing.first_element_angle=9 deg"}));
+  const PairPoint one = point({}), turned = point({"bearing.first_element_angle=9 deg"});
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_NEAR(one.asked().modes[i].frequency, turned.asked().modes[i].frequency,
-                1e-6 * one.asked().modes[i].frequency);
+    EXPECT_NEAR(one.chosen().modes[i].frequency, turned.chosen().modes[i].frequency,
+                1e-6 * one.chosen().modes[i].frequency);
 }
 
 // Spacers that differ by both rows' approach are the same as the load.
 TEST(FangDuplex, SpacersPressAsTheLoadDoes) {
   const std::string facing = "arrangement=face-to-face";  // spacers cannot press a tandem
-  const PairPoint by_load = pair_point(pair({facing}));
+  const PairPoint by_load = point({facing});
   const std::string spacers = fmt::format("spacer_difference={:.12g} um", 2e6 * by_load.approach);
-  const PairPoint by_spacers = pair_point(pair({facing, "preload=0 N", spacers}));
+  const PairPoint by_spacers = point({facing, "preload=0 N", spacers});
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_NEAR(by_spacers.asked().modes[i].frequency, by_load.asked().modes[i].frequency, 1e-6);
+    EXPECT_NEAR(by_spacers.chosen().modes[i].frequency, by_load.chosen().modes[i].frequency, 1e-6);
 }
 
 TEST(FangDuplex, LinearIsRefusedBackToBack) {
@@ -191,15 +196,15 @@ TEST(FangDuplex, LinearIsRefusedBackToBack) {
 // Fig. 9: the response along x shows tilt and translation, that along z the axial mode, as high as the loss
 // factor lets it.
 TEST(FangDuplex, ResponsePeaksAtTheModes) {
-  const DuplexStudy study = duplex_study(pair({}));
+  const auto study = analysis::duplex_run(machine_of<analysis::DuplexPair>(pair({})));
   const auto& line = study.response.accelerance[2];
   std::size_t highest = 0;
   for (std::size_t k = 0; k < line.size(); ++k)
     if (std::abs(line[k]) > std::abs(line[highest])) highest = k;
   const double frequency = static_cast<double>(highest + 1) * study.response.step;
-  const double axial = study.point.asked().modes[2].frequency;
+  const double axial = study.modes.point.chosen().modes[2].frequency;
   EXPECT_NEAR(frequency, axial, 2.0 * study.response.step);
-  EXPECT_NEAR(std::abs(line[highest]), 1.0 / (0.005 * study.point.asked().shaft.mass),
+  EXPECT_NEAR(std::abs(line[highest]), 1.0 / (0.005 * study.modes.point.chosen().shaft.mass),
               0.2 * std::abs(line[highest]));
 }
 

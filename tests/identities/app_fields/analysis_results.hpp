@@ -20,7 +20,6 @@
 #include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
@@ -199,13 +198,6 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return record_text(defect_study(in));
     case use::moving_defect:
       return record_text(defect_study(in, DefectRung::all));
-    case use::duplex_modes: {
-      std::string text = record_text(pair_point(in));
-      for (const PairAtSpeed& at : pair_over_speed(in)) text += record_text(at);
-      return text;
-    }
-    case use::duplex_run:
-      return record_text(duplex_study(in));
     case use::stiffness:
     case use::planet_stiffness:
       return record_text(stiffness_study(in));

@@ -109,6 +109,8 @@ std::vector<Context> contexts_of_single_bearings() {
                     rotating = "operation.shaft_speed=9000 rpm";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
   constexpr unsigned both = use::static_load | use::stiffness;
+  const unsigned of_pair = machine_analysis(described::duplex_pair, "modes")->used |
+                           machine_analysis(described::duplex_pair, "run")->used;
   return {
       {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, both},
       {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, both},
@@ -135,10 +137,10 @@ std::vector<Context> contexts_of_single_bearings() {
        both},
       {"balls_under_axial_load", balls, {"load.axial=300 N"}, both},
       {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]", "load.axial=300 N"}, both},
-      {"pair_turning", "duplex_pair", {rotating}, use::duplex},
-      {"pair_without_mass", "duplex_pair", {rotating, "equilibrium.ball_inertia=false"}, use::duplex},
-      {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, use::duplex},
-      {"pair_by_linear_formulas", "duplex_pair", {"stiffness=linear"}, use::duplex},
+      {"pair_turning", "duplex_pair", {rotating}, of_pair},
+      {"pair_without_mass", "duplex_pair", {rotating, "equilibrium.ball_inertia=false"}, of_pair},
+      {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, of_pair},
+      {"pair_by_linear_formulas", "duplex_pair", {"stiffness=linear"}, of_pair},
       {"film_by_reynolds",
        "spin_film",
        {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
@@ -233,9 +235,11 @@ bool is_label(const Field& field) {
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
   constexpr unsigned slow = use::in_time | use::ball_run | use::fmu_bearing | use::fmu_gearset | use::gears |
-                            use::defect | use::duplex_run;
+                            use::defect;
   const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
-  if ((subject.analysis & slow) != 0) return true;
+  if ((subject.analysis & slow) != 0 ||
+      subject.analysis == machine_analysis(described::duplex_pair, "run")->used)
+    return true;
   const auto hash = std::hash<std::string>{}(subject.context.name);
   return (part + hash) % 8 != 0;
 }

@@ -13,6 +13,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "coupling/analysis/contact_film.hpp"
+#include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
 
 namespace orbearing::app::machines_test {
@@ -39,6 +40,23 @@ contact:
   ellipticity: 3
   modulus: 226 GPa
 points: [[100 N, 2 m/s, 30 rad/s], [200 N, 4 m/s, 50 rad/s]]
+)";
+
+const std::string duplex = R"(name: duplex
+model: duplex-pair
+arrangement: face-to-face
+preload: 540 N
+bearing:
+  balls: 20
+  ball_diameter: 14 mm
+  pitch_diameter: 125 mm
+  contact_angle: 20 deg
+  radial_clearance: 0 um
+spindle:
+  mass: 10 kg
+  first_lever: 29 mm
+  second_lever: 28 mm
+  diameter: 100 mm
 )";
 
 ResolvedCase read(const std::string& text, const std::vector<std::string>& settings = {}) {
@@ -97,7 +115,47 @@ TEST(MachineOf, HoldsTheAlternativeWhoseInputsAreStated) {
       std::get<analysis::LineOfContact>(machine_of<analysis::SpinFilm>(read(line, solved)).contact.shape).length, 7e-3);
 }
 
+// Rows of a bearing, which other models share: those of a duplex pair alone.
+TEST(MachineOf, HoldsPartsOfOtherModelsByTheirRows) {
+  const auto in = machine_of<analysis::DuplexPair>(
+      read(duplex, {"bearing.outer_osculation=0.53", "bearing.dynamic_capacity=70 kN",
+                    "operation.speeds=[0 rpm, 60 rpm]", "equilibrium.gyroscopic_moment=none"}));
+  EXPECT_EQ(in.preloaded.bearing.balls().count, 20);
+  EXPECT_DOUBLE_EQ(in.preloaded.bearing.pitch_diameter, 125e-3);
+  EXPECT_EQ(in.preloaded.bearing.outer.osculation, 0.53);
+  EXPECT_DOUBLE_EQ(in.capacities.dynamic_capacity.value(), 70e3);
+  ASSERT_EQ(in.preloaded.operation.speeds.size(), 2u);
+  EXPECT_NEAR(in.preloaded.operation.speeds[1], 6.283185307179586, 1e-14);
+  EXPECT_EQ(in.preloaded.ball_inertia.gyroscopic_moment, bearing::equilibrium::GyroscopicMoment::none);
+  EXPECT_THAT(paths_of<analysis::DuplexPair>(),
+              AllOf(Contains("bearing.balls"), Contains("material.density"), Not(Contains("bearing.rollers")),
+                    Not(Contains("bearing.cage.width")), Not(Contains("bearing.profile"))));
+  EXPECT_THAT(refusal_of(duplex, {"bearing.balls=null"}), HasSubstr("bearing.balls: missing"));
+  EXPECT_FALSE(read(duplex).has("operation.speeds"));
+}
+
+TEST(MachineOf, HoldsTheShaftAndTheHousingThatAreStated) {
+  const auto pair_of = [](const std::vector<std::string>& settings) {
+    return machine_of<analysis::PreloadedPair>(read(duplex, settings));
+  };
+  const bearing::duplex::Shaft cylinder = pair_of({}).spindle.shaft();
+  EXPECT_DOUBLE_EQ(cylinder.inertia_x, bearing::duplex::cylinder_inertia(10.0, 0.1, 7850.0));
+  const bearing::duplex::Shaft other =
+      pair_of({"spindle.diameter=null", "spindle.inertia_x=0.2 kg.m2", "spindle.inertia_y=0.3 kg.m2"})
+          .spindle.shaft();
+  EXPECT_EQ(other.inertia_x, 0.2);
+  EXPECT_EQ(other.inertia_y, 0.3);
+  EXPECT_FALSE(pair_of({}).free_housing());
+  EXPECT_EQ(pair_of({"housing.mass=3 kg", "housing.inertia=0.1 kg.m2"}).free_housing()->inertia, 0.1);
+  const bearing::duplex::Shaft linear = pair_of({"linear.mass=9 kg"}).linear_shaft();
+  EXPECT_EQ(linear.mass, 9.0);
+  EXPECT_DOUBLE_EQ(linear.levers.second, 28e-3);
+}
+
 TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
+  EXPECT_THAT(refusal_of(duplex, {"spindle.inertia_x=0.2 kg.m2", "spindle.inertia_y=0.3 kg.m2"}),
+              HasSubstr("spindle.inertia_x: '0.2 kg.m2' together with spindle.diameter or spindle.density; one of "
+                        "both is required"));
   EXPECT_THAT(refusal_of(pair, {"pair.kind=internal", "pair.driven_bore=31 mm"}),
               HasSubstr("pair.driven_bore: an input of pair.kind: external, and here it is internal; a case without "
                         "it, or pair.kind: external, is required"));
@@ -107,6 +165,10 @@ TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
 }
 
 TEST(Alternatives, OneOfThemIsRequired) {
+  EXPECT_THAT(refusal_of(duplex, {"spindle.diameter=null"}),
+              AllOf(HasSubstr("spindle.diameter: missing"), HasSubstr("or spindle.inertia_x or spindle.inertia_y instead")));
+  EXPECT_THAT(refusal_of(duplex, {"housing.mass=3 kg"}),
+              AllOf(HasSubstr("housing.inertia: missing"), Not(HasSubstr("instead"))));
   std::string neither = film;
   neither.erase(neither.find("  ellipticity: 3\n"), 17);
   EXPECT_THAT(refusal_of(neither), AllOf(HasSubstr("contact.ellipticity: missing"), HasSubstr("or contact.length instead")));
@@ -128,7 +190,7 @@ TEST(Machines, ArraysHaveAsManyValuesAsTheirMember) {
 }
 
 TEST(Machines, AreReadAgainAsTheyWereWritten) {
-  for (const std::string& text : {pair, film}) {
+  for (const std::string& text : {pair, film, duplex}) {
     const ResolvedCase in = read(text);
     EXPECT_EQ(write_resolved(parse_case(write_resolved(in), "again.yaml", {})), write_resolved(in));
   }
@@ -146,7 +208,50 @@ TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
   EXPECT_EQ(machine_analysis(described::gear_pair, "run"), nullptr);
 }
 
+// The type of one analysis holds more than that of the other, and some inputs depend on others.
+TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
+  const use::Analysis modes = machine_analysis(described::duplex_pair, "modes")->used,
+                      run = machine_analysis(described::duplex_pair, "run")->used;
+  const auto warnings_of = [](const std::vector<std::string>& settings, use::Analysis analysis) {
+    return require_used(read(duplex, settings), analysis);
+  };
+  const std::vector<std::string> loss{"response.loss_factor=0.01"};
+  EXPECT_THAT(warnings_of(loss, modes), Contains(HasSubstr("used by run of a duplex pair")));
+  EXPECT_THAT(warnings_of(loss, run), IsEmpty());
+  EXPECT_THAT(require_used(read(duplex + "response: {loss_factor: 0.01}\n"), modes), IsEmpty());
+  const std::vector<std::string> linear{"linear.mass=9 kg"}, back{"linear.mass=9 kg", "arrangement=back-to-back"};
+  EXPECT_THAT(warnings_of(linear, run), IsEmpty());
+  EXPECT_THAT(warnings_of(back, run),
+              Contains("linear.mass: 9 kg has no effect: it counts only where arrangement is face-to-face or "
+                       "tandem, and operation.shaft_speed is 0"));
+  const std::string density = "material.density=7000 kg/m3", rotating = "operation.shaft_speed=900 rpm",
+                    massless = "equilibrium.ball_inertia=false";
+  EXPECT_THAT(warnings_of({density}, run), Contains(HasSubstr("it counts only together with operation.shaft_speed")));
+  EXPECT_THAT(warnings_of({density, rotating}, run), IsEmpty());
+  EXPECT_THAT(warnings_of({density, rotating, massless}, run), Contains(HasSubstr("material.density")));
+  EXPECT_THAT(warnings_of({rotating, massless}, run), IsEmpty());  // hours of life follow from the speed
+  EXPECT_THAT(warnings_of({rotating, massless}, modes),
+              Contains(HasSubstr("operation.shaft_speed: 900 rpm has no effect on modes of a duplex pair")));
+}
+
+TEST(MachineAnalyses, FailuresNameTheCase) {
+  const MachineAnalysis* modes = machine_analysis(described::duplex_pair, "modes");
+  try {
+    modes->compute(read(duplex, {"arrangement=tandem", "operation.shaft_speed=900000 rpm"}), {});
+    FAIL() << "an equilibrium at any speed";
+  } catch (const ComputationFailed& failure) {
+    EXPECT_THAT(failure.what(), testing::StartsWith("duplex: "));
+  }
+}
+
 TEST(MachineQuantities, AreListedInTheirUnits) {
+  const std::vector<Derived> of_duplex = machine_quantities(read(duplex));
+  ASSERT_FALSE(of_duplex.empty());
+  EXPECT_EQ(of_duplex.front().path, "pair.approach");
+  EXPECT_EQ(of_duplex.front().unit, "um");
+  EXPECT_GT(of_duplex.front().value, 1.0);
+  EXPECT_EQ(of_duplex.back().path, "pair.inertia_y");
+  EXPECT_EQ(of_duplex.back().unit, "kg.m2");
   const std::vector<Derived> rows = machine_quantities(read(pair));
   const auto value = [&](const std::string& path) {
     const auto found = std::ranges::find(rows, path, &Derived::path);
