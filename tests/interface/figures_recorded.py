@@ -461,7 +461,6 @@ class Looks(kept_records.Recorded):
             style.speed_axis(axes)
             looks[name] = whole_drawing.axes_of(axes)
             axes.set_xscale("log")
-            style.plain_logarithmic(axes.xaxis, (1, 3))
             style.speed_axis(axes)
             looks[f"{name}, logarithmic"] = whole_drawing.axes_of(axes)
         self.check("axes", looks)

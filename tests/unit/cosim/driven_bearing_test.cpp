@@ -153,10 +153,10 @@ TEST(DrivenBearing, RefusesAForeignState) {
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
   DrivenBearingSetup setup = test::driven_reducer();
   setup.dynamics.driving.ramp = 1.0;
-  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 10", DrivenBearing{setup});
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 9", DrivenBearing{setup});
   setup = test::driven_reducer();
   setup.orbit_radius = -1.0;
-  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 11", DrivenBearing{setup});
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 10", DrivenBearing{setup});
 }
 
 // The step size outlives a window, so that how time is cut matters little.
