@@ -115,6 +115,7 @@ class RandomMotion {
   void draw_oil(motion::DynamicsParameters& parameters) {
     parameters.lubricant = {decades(0.002, 0.3), between(1e-8, 2.5e-8)};
     parameters.race.film_in_approach = chance(0.5);
+    chance(0.05);  // of a choice that is no more: each number stays the bearing that it was
     if (chance(0.5)) parameters.race.traction = motion::TractionLaw::limiting_shear;
     if (chance(0.4)) parameters.race.lubrication = motion::Lubrication::mixed;
     parameters.race.roughness = decades(0.05e-6, 2e-6);
@@ -137,6 +138,7 @@ class RandomMotion {
     bearing.cage.guidance = chance(0.5) ? Race::outer : Race::inner;
     cage.guide_diameter = bearing.cage.guidance == Race::outer ? bearing.cage.outer_diameter + clearance
                                                                : bearing.cage.inner_diameter - clearance;
+    chance(0.05);  // likewise
   }
 
   void draw_surroundings(MotionDraw& draw) {
