@@ -25,15 +25,16 @@ std::optional<GuidingLands> guiding_lands(const Bearing& bearing, const CagePara
           std::string("more than 0; give it, or a cage wider than the ") + (rollers ? "rollers" : "balls"));
   return GuidingLands{
       .width = width,
-      .law = {.side = side,
-              .clearance = clearance,
-              .cage_radius = radius,
-              .largest_eccentricity = given.largest_eccentricity,
-              .film_scale = lands * viscosity * std::pow(width, 3) / (clearance * clearance) * radius / clearance,
-              .shear_scale = two_pi * viscosity * std::pow(radius, 3) * lands * width / clearance,
-              .stiffness = given.touch_down_stiffness,
-              .damping = given.touch_down_damping,
-              .friction = {given.touch_down_friction, sliding_scale}}};
+      .law = {
+          .side = side,
+          .clearance = clearance,
+          .cage_radius = radius,
+          .largest_eccentricity = given.largest_eccentricity,
+          .film_scale = lands * viscosity * std::pow(width, 3) / (clearance * clearance) * radius / clearance,
+          .shear_scale = two_pi * viscosity * std::pow(radius, 3) * lands * width / clearance,
+          .stiffness = given.touch_down_stiffness,
+          .damping = given.touch_down_damping,
+          .friction = {given.touch_down_friction, sliding_scale}}};
 }
 
 }  // namespace orbearing::bearing::motion
