@@ -152,7 +152,8 @@ void describe_races(Record& record, const system::BallMeans& m) {
   of_race("outer", m.outer_load_rms, m.outer_load_max, m.outer_angle, m.outer_film, m.life.outer);
 }
 
-void describe_heat(Record& record, const BallPowerLoss& loss) {
+void describe_heat(Record& record, const system::BallMeans& means) {
+  const BallPowerLoss& loss = means.loss;
   std::vector<std::string> names{"total"};
   std::vector<double> powers{loss.total()};
   for (const CauseOfHeat& cause : causes_of_heat) {
@@ -161,6 +162,9 @@ void describe_heat(Record& record, const BallPowerLoss& loss) {
   }
   record.array("heat_W", dimension::heat, "over the observed time", {{"cause", names}}, powers);
   record.value("mean_heat", dimension::heat, "over the observed time", loss.total()).in_files_alone = true;
+  record.value("heat_error_W", dimension::heat,
+               "half of the interval that holds the mean heat with 95 %, by ten parts of the observed time",
+               means.heat_error);
 }
 
 // Temperatures of the steady state; none where they are stated.
@@ -223,7 +227,7 @@ void describe(Record& record, const BallRun& study) {
                study.run.pocket_load_max);
   record.value("cage_slip", dimension::ratio, "over the observed time", m.cage_slip).variable =
       "mean_cage_slip";
-  describe_heat(record, m.loss);
+  describe_heat(record, m);
   describe_temperatures(record, study.warming);
   record.value("oil_share", dimension::ratio, "of oil in the free volume", study.oil_share);
   record.value("running_clearance_um", dimension::small_length, "at the temperatures of the run",

@@ -1,6 +1,8 @@
 #include "coupling/system/ball_run.hpp"
 
 #include <algorithm>
+#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -47,17 +49,22 @@ struct ObservedSteps {
 
 // Integrals over time of the states at the beginnings of steps, by the trapezoidal rule.
 struct ObservedStates {
-  double weight = 0.0;                            // [s]
-  double inner_load = 0.0, outer_load = 0.0;      // [N s]
-  double inner_angle = 0.0, outer_angle = 0.0;    // [N rad s]
-  double inner_film = 0.0, outer_film = 0.0;      // [m s]
-  double inner_loaded = 0.0, outer_loaded = 0.0;  // [s]
-  BallPowerLoss loss;                             // [J]
+  double weight = 0.0;                                            // [s]
+  double inner_load = 0.0, outer_load = 0.0;                      // [N s]
+  double inner_angle = 0.0, outer_angle = 0.0;                    // [N rad s]
+  double inner_film = 0.0, outer_film = 0.0;                      // [m s]
+  double inner_loaded = 0.0, outer_loaded = 0.0;                  // [s]
+  BallPowerLoss loss;                                             // [J]
+  std::array<double, kPartsObserved> part_weight{}, part_loss{};  // [s], [J]
 
-  void add(double step, const BallSnapshot& s) {
+  /// `share` of the observed time that has passed [-].
+  void add(double step, double share, const BallSnapshot& s) {
     const double length = 0.5 * (step + std::exchange(before, step));
     weight += length;
     add_loss(loss, s.loss, length);
+    const auto part = std::min(kPartsObserved - 1, static_cast<std::size_t>(share * kPartsObserved));
+    part_weight[part] += length;
+    part_loss[part] += length * s.loss.total();
     add(length, s.inner, inner_load, inner_angle, inner_film, inner_loaded);
     add(length, s.outer, outer_load, outer_angle, outer_film, outer_loaded);
   }
@@ -86,10 +93,13 @@ double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearin
 // Sums what passes in each step.
 class WatchedBalls : public BallEquations {
  public:
-  WatchedBalls(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from, long bins)
+  /// Observed in the interval [s].
+  WatchedBalls(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from,
+               double until, long bins)
       : BallEquations(bearing),
         geometry_(geometry),
         observe_from_(observe_from),
+        until_(until),
         sums_{.damage = bearing::motion::DamageSums(bins, 0, bearing::motion::DamagePower::of_points)} {}
 
   // The loads of the linearisation are those of the step's beginning; they count until its end.
@@ -118,7 +128,8 @@ class WatchedBalls : public BallEquations {
     const double middle = time + 0.5 * length;
     sums_.turned +=
         length * std::abs(bearing_.duty().inner.speed_at(middle) - bearing_.duty().outer.speed_at(middle));
-    states_.add(length, bearing_.snapshot(time, state_.data()));
+    states_.add(length, (time - observe_from_) / (until_ - observe_from_),
+                bearing_.snapshot(time, state_.data()));
     for (std::size_t j = 0; j < inner_.size(); ++j) {
       sums_.inner_square += length * inner_[j] * inner_[j];
       sums_.outer_square += length * outer_[j] * outer_[j];
@@ -145,7 +156,7 @@ class WatchedBalls : public BallEquations {
 
  private:
   const bearing::BearingGeometry& geometry_;
-  double observe_from_;
+  double observe_from_, until_;
   ObservedSteps sums_;
   ObservedStates states_;
   std::vector<double> inner_, outer_, angle_, orbital_;
@@ -203,6 +214,19 @@ double mean_of(double sum, double count) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
+// Half of the 95 % interval of a mean, by Student's t of the means of parts.
+double error_of_mean(const ObservedStates& states) {
+  const boost::math::students_t spread(kPartsObserved - 1);
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < kPartsObserved; ++i) {
+    if (!(states.part_weight[i] > 0.0)) return std::numeric_limits<double>::infinity();
+    sum += states.part_loss[i] / states.part_weight[i];
+  }
+  for (std::size_t i = 0; i < kPartsObserved; ++i)
+    squares += std::pow(states.part_loss[i] / states.part_weight[i] - sum / kPartsObserved, 2);
+  return quantile(spread, 0.975) * std::sqrt(squares / (kPartsObserved * (kPartsObserved - 1)));
+}
+
 BallMeans means_of_balls(const ObservedSteps& steps, const ObservedStates& states, int balls) {
   BallMeans m;
   const double contacts = steps.weight * balls;
@@ -216,6 +240,7 @@ BallMeans means_of_balls(const ObservedSteps& steps, const ObservedStates& state
   m.inner_film = mean_of(states.inner_film, states.inner_loaded);
   m.outer_film = mean_of(states.outer_film, states.outer_loaded);
   add_loss(m.loss, states.loss, mean_of(1.0, states.weight));
+  m.heat_error = error_of_mean(states);
   return m;
 }
 
@@ -239,6 +264,14 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
   series.first_inner.push_back(s.inner.front().load);
   series.first_outer.push_back(s.outer.front().load);
   series.loss.push_back(s.loss);
+}
+
+// Whether no load has a direction across the axis.
+bool is_symmetric(const bearing::balls::BallDuty& duty) {
+  const auto is_axial = [](const bearing::balls::RingLoad& load) {
+    return load.by[0] == 0.0 && load.by[1] == 0.0 && load.by[3] == 0.0 && load.by[4] == 0.0;
+  };
+  return is_axial(duty.on_inner) && is_axial(duty.on_outer);
 }
 
 }  // namespace
@@ -278,6 +311,8 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   std::vector<double> x = options.from.empty() ? start_state(bearing, model, options.first_ball,
                                                              options.start == Start::rest ? 0.0 : 1.0)
                                                : options.from;
+  if (options.from.empty() && is_symmetric(duty))
+    x[static_cast<std::size_t>(model.layout().cage())] = kOffCentre;
   mechanics::require(static_cast<int>(x.size()) == model.layout().size(),
                      "variables of the state to continue from", static_cast<int>(x.size()),
                      "those of the bearing");
@@ -288,7 +323,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     return options.duration * static_cast<double>(i) / options.samples;
   };
   const double observe_from = sample_time(first_observed);
-  WatchedBalls system(model, geometry, observe_from, options.bins);
+  WatchedBalls system(model, geometry, observe_from, options.duration, options.bins);
   BallsInTime balls(x, ball_stepper(numbers, options.length_error));
   std::optional<PublishedSteps> published;
   if (options.form == BallForm::published) published.emplace(model, x, options.published_step);

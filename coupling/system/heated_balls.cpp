@@ -77,7 +77,8 @@ constexpr double kLeastCapacity = 1.0;    // [J/K]  of a ring whose mass is not 
 constexpr int kMostSteps = 200;
 constexpr int kMostBalances = 60;
 constexpr int kMostOutlets = 8;
-constexpr double kLookShare = 0.1;  // of the run, for each look at the heat on the way
+constexpr double kLookShare = 0.1;           // of the run, for each look at the heat on the way
+constexpr double kOutletErrorOfLooks = 2.0;  // [K]
 
 double capacity_of(const bearing::balls::BodyNumbers& body, double radius) {
   // A held ring has no mass of its own; its moment of inertia has.
@@ -223,8 +224,29 @@ WarmState warm_oil(const HeatParameters& heat, double flow, const bearing::balls
           heat_by_body(loss)};
 }
 
-// Heat falls as the oil warms, some tenths as fast as would hold it: each temperature leads to the next, by
-// short runs and then by whole ones.
+// Temperature of oil and what its heat leads to: T -> g(T), by the secant of the last two runs.
+class OutletBalance {
+ public:
+  explicit OutletBalance(double inlet) : at_(inlet) {}
+
+  double at() const { return at_; }                          // [degC]  of the run to come
+  double missed() const { return std::abs(led_to_ - of_); }  // [K]  by the last run
+
+  void add(double led_to) {
+    // Heat falls as the oil warms, and less than would hold the temperature where it is.
+    if (runs_++ > 0 && at_ != of_) slope_ = std::clamp((led_to - led_to_) / (at_ - of_), kSteepest, 0.0);
+    of_ = at_;
+    led_to_ = led_to;
+    at_ += (led_to - at_) / (1.0 - slope_);
+  }
+
+ private:
+  static constexpr double kSteepest = -2.0;
+  double at_, of_ = 0.0, led_to_ = 0.0, slope_ = 0.0;
+  int runs_ = 0;
+};
+
+// Heat falls as the oil warms: each temperature leads to the next, by short runs and then by whole ones.
 BallRunResult run_to_outlet(const bearing::Bearing& bearing,
                             const bearing::balls::MotionParameters& parameters,
                             const bearing::balls::BallDuty& duty,
@@ -234,19 +256,19 @@ BallRunResult run_to_outlet(const bearing::Bearing& bearing,
   const double flow = parameters.mixture.flow;
   mechanics::require(flow > 0.0, "flow of oil [m^3/s]", flow,
                      "more than 0 where the oil takes the heat along");
-  warming = {{0.0, Eigen::VectorXd::Constant(kWarmBodies, heat.inlet), Eigen::VectorXd::Zero(kWarmBodies)}};
+  OutletBalance outlet(heat.inlet);
   bearing::balls::MotionParameters warm = parameters;
   BallRunOptions look = look_of(options);
   const auto advance = [&](const BallRunOptions& how, const std::function<void(double)>& reached) {
-    warm.lubricant.viscosity = warm_viscosity(parameters, heat, warming.back().temperature[oil]);
+    warm.lubricant.viscosity = warm_viscosity(parameters, heat, outlet.at());
     BallRunResult run = run_balls(bearing, warm, duty, capacities, how, reached);
-    if (run.completed) warming.push_back(warm_oil(heat, flow, run.means.loss));
+    if (!run.completed) return run;
+    const WarmState led_to = warm_oil(heat, flow, run.means.loss);
+    warming = {{0.0, Eigen::VectorXd::Constant(kWarmBodies, outlet.at()), led_to.heat}, led_to};
+    outlet.add(led_to.temperature[oil]);
     return run;
   };
-  const auto missed = [&] {
-    return std::abs(warming.back().temperature[oil] - std::prev(warming.end(), 2)->temperature[oil]);
-  };
-  for (int i = 0; i < kMostOutlets && (i == 0 || missed() > kOutletError); ++i) {
+  for (int i = 0; i < kMostOutlets && (i == 0 || outlet.missed() > kOutletErrorOfLooks); ++i) {
     BallRunResult run = advance(look, {});
     if (!run.completed) return run;
     look.from = std::move(run.final_state);
@@ -254,7 +276,9 @@ BallRunResult run_to_outlet(const bearing::Bearing& bearing,
   BallRunResult whole;
   for (int i = 0; i < kMostOutlets; ++i) {
     whole = advance(options, progress);
-    if (!whole.completed || missed() <= kOutletError) return whole;
+    if (!whole.completed) return whole;
+    const double by_scatter = outlet_temperature(heat, flow, whole.means.heat_error) - heat.inlet;
+    if (outlet.missed() <= std::max(kOutletError, by_scatter)) return whole;
   }
   whole.completed = false;
   whole.message = "the oil's outlet temperature does not settle";

@@ -161,8 +161,8 @@ struct WarmState {
   Eigen::VectorXd heat;         // [W]
 };
 
-/// Largest error of the outlet's temperature [K]: the heat of a run scatters by some per cent.
-inline constexpr double kOutletError = 2.0;
+/// Largest error of the outlet's temperature [K], unless the scatter of the heat is more.
+inline constexpr double kOutletError = 0.1;
 
 /// From `start` until the temperatures are steady, by steps of Heun's method on the exact solution of
 /// steady heat, which grow as `error` [K] allows; the last state is
@@ -173,8 +173,8 @@ std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatS
 
 /// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all
 /// bodies have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last
-/// two states are the one of which the run has the viscosity and the one to which its heat leads:
-/// `kOutletError` apart at most, or the run reports that it did not settle.
+/// two states are the one of which the run has the viscosity and the one to which its heat leads: at most
+/// `kOutletError`, or what the heat's own error makes, apart, or the run reports that it did not settle.
 BallRunResult run_heated_balls(const bearing::Bearing& bearing,
                                const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,

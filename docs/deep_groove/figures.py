@@ -86,7 +86,7 @@ def nasa(program, work):
 def nasa_worth(program, work):
     """What single assumptions are worth at 64,000 rpm, in the base model: constant share of oil at the inlet's temperature."""
     base = ["lubricant.fill=stated", "lubricant.share=0.05", "heat.enabled=false", "traction.inlet_heating=none",
-            "traction.ball_rolling_law=houpert"]
+            "traction.ball_rolling_law=houpert", "traction.starvation=none"]
     changes = {"as assumed": [], "viscosity 0.0025 Pa s": ["lubricant.viscosity=0.0025 Pa.s"],
                "viscosity 0.005 Pa s": ["lubricant.viscosity=0.005 Pa.s"], "oil share 0.02": ["lubricant.share=0.02"],
                "oil share 0.15": ["lubricant.share=0.15"],

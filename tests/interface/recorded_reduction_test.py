@@ -72,6 +72,31 @@ class RecordedReduction(unittest.TestCase):
         self.assertEqual(list(differences(first, record(changed(lambda answer: answer["points"][3].update(life_h=121.2))))), [])
         self.assertEqual(len(list(differences(first, record(changed(lambda answer: answer["points"][3].update(life_h=130.0)))))), 1)
 
+    def test_round_off_of_what_is_zero_in_a_matrix(self):
+        before, now = ({"stiffness": [[1e8, small], [small, 4e5]], "alone": alone} for small, alone in ((6e-12, 3e-12), (-7e-12, 3e-12)))
+        self.assertEqual(list(differences(record(before), record(now))), [])
+        self.assertEqual(len(list(differences(record(before), record(now | {"alone": 4e-12})))), 1)
+
+    def test_choices_of_a_motion_that_magnifies_round_off(self):
+        def chosen(answer):
+            answer["points"][0].update(steady=False)
+            answer["warnings"].append("simulation.most_revolutions: 2 revolutions ended before the means were steady")
+
+        first, other = ({"exit": 0, "found": found["found"]} for found in (record(ANSWER | {"points": [one | {"steady": True} for one in ANSWER["points"]]}),
+                                                                              record(changed(chosen))))
+        self.assertGreater(len(list(differences(first, other))), 1)
+        first["spread"] = {f"one.{number}": 1e-3 for number in range(8)}
+        self.assertEqual(list(differences(first, other)), [])
+        self.assertEqual(len(list(differences(first, record(changed(lambda answer: answer["points"][0].update(life_h=500.0)))))), 1)
+
+    def test_numbers_to_their_last_bit(self):
+        one, other = Reduction(), Reduction()
+        one.add_text("model", "displacement.x 1 1.b6019f76b2965p-19\n")
+        other.add_text("model", "displacement.x 1 1.b6019f76b2966p-19\n")
+        self.assertEqual(list(differences({"found": one.record()}, {"found": other.record()})), [])
+        other.add_text("model", "displacement.x 1 1.c6019f76b2965p-19\n")
+        self.assertNotEqual(list(differences({"found": one.record()}, {"found": other.record()})), [])
+
     def test_files_and_messages(self):
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)

