@@ -227,6 +227,9 @@ void describe(Record& record, const BallRun& study) {
                study.run.pocket_load_max);
   record.value("cage_slip", dimension::ratio, "over the observed time", m.cage_slip).variable =
       "mean_cage_slip";
+  record.value("cage_slip_error", dimension::ratio,
+               "half of the interval that holds the mean slip with 95 %, by ten parts of the observed time",
+               m.cage_slip_error);
   describe_heat(record, m);
   describe_temperatures(record, study.warming);
   record.value("oil_share", dimension::ratio, "of oil in the free volume", study.oil_share);

@@ -1,5 +1,6 @@
 #include "coupling/system/ball_run.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/students_t.hpp>
@@ -214,17 +215,31 @@ double mean_of(double sum, double count) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-// Half of the 95 % interval of a mean, by Student's t of the means of parts.
-double error_of_mean(const ObservedStates& states) {
+// Half of the 95 % interval of a mean, by Student's t of the means of its parts.
+double error_of_mean(const std::array<double, kPartsObserved>& parts) {
   const boost::math::students_t spread(kPartsObserved - 1);
-  double sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < kPartsObserved; ++i) {
-    if (!(states.part_weight[i] > 0.0)) return std::numeric_limits<double>::infinity();
-    sum += states.part_loss[i] / states.part_weight[i];
-  }
-  for (std::size_t i = 0; i < kPartsObserved; ++i)
-    squares += std::pow(states.part_loss[i] / states.part_weight[i] - sum / kPartsObserved, 2);
+  const auto of = Eigen::Map<const Eigen::ArrayXd>(parts.data(), kPartsObserved);
+  const double squares = (of - of.mean()).square().sum();
   return quantile(spread, 0.975) * std::sqrt(squares / (kPartsObserved * (kPartsObserved - 1)));
+}
+
+// Sums of parts over their counts; not a number where a part is empty.
+std::array<double, kPartsObserved> means_of_parts(const std::array<double, kPartsObserved>& sums,
+                                                  const std::array<double, kPartsObserved>& counts) {
+  std::array<double, kPartsObserved> means{};
+  for (std::size_t i = 0; i < kPartsObserved; ++i) means[i] = sums[i] / counts[i];
+  return means;
+}
+
+// Of the samples from `first` on.
+double error_of_samples(const std::vector<double>& samples, std::size_t first) {
+  std::array<double, kPartsObserved> sums{}, counts{};
+  for (std::size_t i = first; i < samples.size(); ++i) {
+    const std::size_t part = kPartsObserved * (i - first) / (samples.size() - first);
+    sums[part] += samples[i];
+    counts[part] += 1.0;
+  }
+  return error_of_mean(means_of_parts(sums, counts));
 }
 
 BallMeans means_of_balls(const ObservedSteps& steps, const ObservedStates& states, int balls) {
@@ -240,7 +255,7 @@ BallMeans means_of_balls(const ObservedSteps& steps, const ObservedStates& state
   m.inner_film = mean_of(states.inner_film, states.inner_loaded);
   m.outer_film = mean_of(states.outer_film, states.outer_loaded);
   add_loss(m.loss, states.loss, mean_of(1.0, states.weight));
-  m.heat_error = error_of_mean(states);
+  m.heat_error = error_of_mean(means_of_parts(states.part_loss, states.part_weight));
   return m;
 }
 
@@ -372,6 +387,8 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     const double turned = x[static_cast<std::size_t>(cage_turn)] - angle_then;
     result.means.cage_speed = turned / span;
     result.means.cage_slip = system.rolled() != 0.0 ? 1.0 - turned / system.rolled() : 0.0;
+    result.means.cage_slip_error =
+        error_of_samples(result.series.cage_slip, static_cast<std::size_t>(first_observed));
   }
   const bearing::motion::DamageSums& damage = system.sums().damage;
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0),

@@ -114,12 +114,13 @@ inline constexpr std::size_t kPartsObserved = 10;
 
 /// Means over the observed time.
 struct BallMeans {
-  double cage_slip = 0.0;       // [-]  from the angle that the cage turned
-  double cage_speed = 0.0;      // [rad/s]
-  double inner_load_rms = 0.0;  // [N]  over all balls, unloaded time included
-  double outer_load_rms = 0.0;  // [N]
-  double inner_load_max = 0.0;  // [N]
-  double outer_load_max = 0.0;  // [N]
+  double cage_slip = 0.0;        // [-]  from the angle that the cage turned
+  double cage_slip_error = 0.0;  // [-]  of that, as heat_error
+  double cage_speed = 0.0;       // [rad/s]
+  double inner_load_rms = 0.0;   // [N]  over all balls, unloaded time included
+  double outer_load_rms = 0.0;   // [N]
+  double inner_load_max = 0.0;   // [N]
+  double outer_load_max = 0.0;   // [N]
   /// [N m]  Energy that is lost over the angle by which the rings turn against each other. The mean of the
   /// drive's torque over states of the integrator tends to it as its steps shorten, and is a tenth off
   /// before.

@@ -162,7 +162,7 @@ struct WarmState {
 };
 
 /// Largest error of the outlet's temperature [K], unless the scatter of the heat is more.
-inline constexpr double kOutletError = 0.1;
+inline constexpr double kOutletError = 0.03;
 
 /// From `start` until the temperatures are steady, by steps of Heun's method on the exact solution of
 /// steady heat, which grow as `error` [K] allows; the last state is

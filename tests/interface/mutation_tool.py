@@ -21,7 +21,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "tools"))
 from mutants import beside, draw, glue, page_trial  # noqa: E402
 from mutants.results import Results  # noqa: E402
-from mutants.trial import with_error  # noqa: E402
+from mutants.trial import Running, with_error  # noqa: E402
+from mutants.trial import run as run_within  # noqa: E402
 
 TEXTS = {name: (SOURCE / name).read_text(encoding="utf-8") for name in draw.PHYSICS.sources(SOURCE)
          if name.startswith(("gearset/dynamics/e", "gearset/dynamics/f", "bearing/contact/f", "bearing/geometry"))}
@@ -227,6 +228,37 @@ class Table(unittest.TestCase):
             self.assertEqual(self.results(folder).pending(), [2, 3, 4])
             self.assertEqual(self.results(folder, tests="more tests").pending(), [1, 2, 3, 4])
             self.assertEqual(self.results(folder, sources="other sources").pending(), [0, 1, 2, 3, 4])
+
+
+class Ended(unittest.TestCase):
+    """Commands end with all that they began."""
+
+    # Begins a child that outlives it, says which, and waits.
+    BEGINS = [sys.executable, "-c", "import subprocess, time; print(subprocess.Popen(['sleep', '600']).pid, flush=True); time.sleep(600)"]
+
+    def assert_gone(self, process: int):
+        for _ in range(200):
+            state = pathlib.Path(f"/proc/{process}/stat")
+            if not state.exists() or state.read_text().rpartition(")")[2].split()[0] == "Z":
+                return
+            time.sleep(0.05)
+        self.fail(f"{process} still runs")
+
+    def test_a_command_that_takes_too_long(self):
+        code, said = run_within(self.BEGINS, 2.0)
+        self.assertEqual(code, 124)
+        self.assertTrue(said.endswith("did not end"), said)
+        self.assert_gone(int(said.split()[0]))
+
+    def test_all_when_told_to_end(self):
+        running = Running()
+        with self.assertRaises(KeyboardInterrupt), running.of(self.BEGINS) as process:
+            child = int(process.stdout.readline())
+            running.end_all()
+            process.communicate()
+        self.assert_gone(child)
+        with self.assertRaises(KeyboardInterrupt), running.of(["true"]):
+            self.fail("began after the end")
 
 
 class Beside(unittest.TestCase):

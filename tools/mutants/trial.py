@@ -1,6 +1,7 @@
 """A copy of the sources that holds errors, its build, and which of its tests fail with one of them."""
 
 import concurrent.futures
+import contextlib
 import dataclasses
 import hashlib
 import json
@@ -9,8 +10,10 @@ import pathlib
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
+import threading
 import time
 
 from . import beside
@@ -50,14 +53,55 @@ inline std::atomic<bool> reached[1000];
 """
 
 
+class Running:
+    """Commands that run, each in a session of its own, so that it ends with all that it began."""
+
+    def __init__(self):
+        self.leaders: set[int] = set()
+        self.lock = threading.RLock()  # a signal may come while this thread holds it
+        self.ended = False
+
+    def end_all(self) -> None:
+        self.ended = True  # before the signals: no command begins after them
+        with self.lock:
+            for leader in self.leaders:
+                end_session(leader)
+
+    @contextlib.contextmanager
+    def of(self, command: list, **options):
+        with self.lock:
+            if self.ended:
+                raise KeyboardInterrupt
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                                       start_new_session=True, **options)
+            self.leaders.add(process.pid)
+        try:
+            yield process
+        finally:
+            end_session(process.pid)  # what it left behind
+            with self.lock:
+                self.leaders.discard(process.pid)
+        if self.ended:  # by us: its exit code says nothing
+            raise KeyboardInterrupt
+
+
+RUNNING = Running()
+
+
+def end_session(leader: int) -> None:
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(leader, signal.SIGKILL)
+
+
 def run(command: list, seconds: float, **options) -> tuple[int, str]:
     """Exit code and all output; 124 where it had to be ended."""
-    try:
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                              timeout=seconds, check=False, **options)
-        return done.returncode, done.stdout
-    except subprocess.TimeoutExpired as ended:
-        return 124, (ended.stdout or b"").decode(errors="replace") + "\ndid not end"
+    with RUNNING.of(command, **options) as process:
+        try:
+            said = process.communicate(timeout=seconds)[0]
+            return process.returncode, said
+        except subprocess.TimeoutExpired:
+            end_session(process.pid)
+            return 124, process.communicate()[0] + "\ndid not end"
 
 
 def digest(*texts: str) -> str:
