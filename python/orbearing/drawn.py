@@ -58,7 +58,7 @@ def panels_of(figure: Figure) -> tuple[Panel, ...]:
 
 
 def _panel(axes: Axes) -> Panel:
-    title = next((text for text in (axes.get_title(loc) for loc in ("center", "left")) if text), "")
+    title = next((text for text in (axes.get_title(loc) for loc in ("center", "left", "right")) if text), "")
     legend = axes.get_legend()
     ticks = tuple(tuple(label.get_text() for label in axis.get_majorticklabels()) for axis in (axes.xaxis, axes.yaxis))
     return Panel(title, axes.get_xlabel(), axes.get_ylabel(), axes.get_xlim(), axes.get_ylim(), tuple(text.get_text() for text in axes.texts),
