@@ -91,7 +91,7 @@ class MassHalf : public LinearHalf {
   std::vector<double> values(const std::vector<double>&, std::size_t) const override {
     return {x_[0], x_[1]};
   }
-  Side side() { return {this, {{"x", PortKind::translation, Gives::motion, 0, 1, 0}}}; }
+  Side side() { return {this, {{"x", PortKind::translation, PortOutput::motion, 0, 1, 0}}}; }
 
  private:
   LinearPair pair_;
@@ -116,7 +116,7 @@ class ForceHalf : public LinearHalf {
   std::vector<double> values(const std::vector<double>& motion, std::size_t) const override {
     return {pair_.joint_stiffness * (x_[0] - motion[0]) + pair_.joint_damping * (x_[1] - motion[1])};
   }
-  Side side() { return {this, {{"x", PortKind::translation, Gives::force, 0, 1, 0}}}; }
+  Side side() { return {this, {{"x", PortKind::translation, PortOutput::force, 0, 1, 0}}}; }
 
  private:
   LinearPair pair_;

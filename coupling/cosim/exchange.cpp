@@ -36,7 +36,8 @@ Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>&
   for (const NamedPosition& other : ports) {
     if (other.port.name != motion.port.name || is_same(other.position, motion.position)) continue;
     if (other.port.kind != motion.port.kind) refuse(motion.port.name, "a translation and a rotation");
-    if (other.port.gives == Gives::motion) refuse(motion.port.name, "two participants that give its motion");
+    if (other.port.output == PortOutput::motion)
+      refuse(motion.port.name, "two participants that give its motion");
     out.forces.push_back(other.position);
   }
   if (out.forces.empty()) refuse(motion.port.name, "no participant that gives a force");
@@ -45,7 +46,7 @@ Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>&
 
 void require_whole(const Port& port) {
   if (port.velocity == kNone || port.force == kNone ||
-      (port.gives == Gives::motion && port.displacement == kNone))
+      (port.output == PortOutput::motion && port.displacement == kNone))
     throw std::invalid_argument("port " + port.name +
                                 ": found no input or output for its motion or force; required: one each");
 }
@@ -57,10 +58,10 @@ std::vector<Connection> connect_by_name(const Sides& sides) {
   for (const NamedPosition& port : ports) require_whole(port.port);
   std::vector<Connection> out;
   for (const NamedPosition& port : ports)
-    if (port.port.gives == Gives::motion) out.push_back(joined(port, ports));
+    if (port.port.output == PortOutput::motion) out.push_back(joined(port, ports));
   for (const NamedPosition& port : ports) {
     const auto same = [&](const NamedPosition& other) {
-      return other.port.name == port.port.name && other.port.gives == Gives::motion;
+      return other.port.name == port.port.name && other.port.output == PortOutput::motion;
     };
     if (std::none_of(ports.begin(), ports.end(), same))
       refuse(port.port.name, "no participant that gives its motion");
@@ -173,7 +174,8 @@ std::size_t asked_for(const Side& side) {
   std::size_t number = 0;
   for (const Port& port : side.ports)
     number = std::max(
-        number, 1 + (port.gives == Gives::force ? port.force : std::max(port.displacement, port.velocity)));
+        number,
+        1 + (port.output == PortOutput::force ? port.force : std::max(port.displacement, port.velocity)));
   return number;
 }
 
@@ -226,10 +228,10 @@ std::vector<InputPolynomial> Exchange::inputs_from(std::size_t side, double begi
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
     const Connection& connection = connections_[joint];
     if (connection.motion.side == side)
-      add_to(inputs[port(joint).force], polynomial_of(joint, Gives::force).force);
+      add_to(inputs[port(joint).force], polynomial_of(joint, PortOutput::force).force);
     for (const PortPosition& position : connection.forces) {
       if (position.side != side) continue;
-      const JointPolynomial motion = polynomial_of(joint, Gives::motion);
+      const JointPolynomial motion = polynomial_of(joint, PortOutput::motion);
       const Port& taken = own.ports[position.port];
       if (taken.displacement != kNone) add_to(inputs[taken.displacement], motion.displacement);
       add_to(inputs[taken.velocity], motion.velocity);
@@ -239,7 +241,7 @@ std::vector<InputPolynomial> Exchange::inputs_from(std::size_t side, double begi
 }
 
 std::vector<double> Exchange::inputs_under(const InterfaceValues& values, std::size_t side) const {
-  const auto constant = [&](std::size_t joint, Gives) -> JointPolynomial {
+  const auto constant = [&](std::size_t joint, PortOutput) -> JointPolynomial {
     const JointValue& value = values.joints[joint];
     return {InputPolynomial::constant(value.displacement), InputPolynomial::constant(value.velocity),
             InputPolynomial::constant(value.force)};
@@ -276,8 +278,8 @@ void Exchange::read_forces(InterfaceValues& values) const {
 
 void Exchange::advance(std::size_t side, const InterfaceHistory& history, const InterfaceValues& known,
                        int force_order, const Window& window) {
-  const auto polynomial_of = [&](std::size_t joint, Gives giver) -> JointPolynomial {
-    if (giver == Gives::force)
+  const auto polynomial_of = [&](std::size_t joint, PortOutput giver) -> JointPolynomial {
+    if (giver == PortOutput::force)
       return {.force = force_polynomial(history, joint, known.joints[joint].force, force_order, window)};
     const InputPolynomial displacement = motion_polynomial(history, joint, known.joints[joint], window);
     return {.displacement = displacement, .velocity = slope_of(displacement)};
@@ -325,7 +327,8 @@ PassResult Exchange::pass(const InterfaceHistory& history, const InterfaceValues
 void Exchange::renew_forces(InterfaceValues& values) {
   for (std::size_t side = 0; side < sides_.size(); ++side) {
     const std::vector<Port>& ports = sides_[side].ports;
-    if (std::none_of(ports.begin(), ports.end(), [](const Port& port) { return port.gives == Gives::force; }))
+    if (std::none_of(ports.begin(), ports.end(),
+                     [](const Port& port) { return port.output == PortOutput::force; }))
       continue;
     inputs_[side] = inputs_under(values, side);
     read(side, values.time, inputs_[side]);

@@ -35,14 +35,14 @@ using system::Window;
 enum class PortKind { translation, rotation };
 
 /// The half of the pair that a participant gives; it takes the other.
-enum class Gives { motion, force };
+enum class PortOutput { motion, force };
 
 /// Inputs and outputs of a participant that belong together: the motion among its outputs and the force among
 /// its inputs where it gives the motion, else the other way round.
 struct Port {
   std::string name;  // e.g. "planet_1.y"; unique within a participant
   PortKind kind = PortKind::translation;
-  Gives gives = Gives::motion;
+  PortOutput output = PortOutput::motion;
   std::size_t displacement = kNone;  // may be missing where the motion is taken
   std::size_t velocity = kNone;      // slope of the displacement
   std::size_t force = kNone;

@@ -15,21 +15,21 @@ struct PlanetNames {
   std::string force;   // before force and moment
 };
 
-std::vector<Port> planet_ports(const Participant& of, Gives gives, const PlanetNames& names) {
+std::vector<Port> planet_ports(const Participant& of, PortOutput output, const PlanetNames& names) {
   const auto motion = [&](const std::string& name) {
-    return gives == Gives::motion ? index_of(of.outputs(), names.motion + name)
-                                  : index_of(of.inputs(), names.motion + name);
+    return output == PortOutput::motion ? index_of(of.outputs(), names.motion + name)
+                                        : index_of(of.inputs(), names.motion + name);
   };
   const auto force = [&](const std::string& name) {
-    return gives == Gives::force ? index_of(of.outputs(), names.force + name)
-                                 : index_of(of.inputs(), names.force + name);
+    return output == PortOutput::force ? index_of(of.outputs(), names.force + name)
+                                       : index_of(of.inputs(), names.force + name);
   };
   std::vector<Port> ports;
   for (const char* axis : {"x", "y"})
-    ports.push_back({names.joint + axis, PortKind::translation, gives,
+    ports.push_back({names.joint + axis, PortKind::translation, output,
                      motion(std::string("displacement.") + axis), motion(std::string("velocity.") + axis),
                      force(std::string("force.") + axis)});
-  ports.push_back({names.joint + "rotation", PortKind::rotation, gives, motion("angle"), motion("speed"),
+  ports.push_back({names.joint + "rotation", PortKind::rotation, output, motion("angle"), motion("speed"),
                    force("moment")});
   return ports;
 }
@@ -46,7 +46,7 @@ Side side_of(system::DrivenGears& gears, const gearset::dynamics::Operation& ope
   Side side{&gears, {}};
   for (int planet = 1; planet <= gears.planets(); ++planet) {
     const std::string number = std::to_string(planet), own = "planet[" + number + "].";
-    for (Port& port : planet_ports(gears, Gives::motion, {"planet_" + number + ".", own, own}))
+    for (Port& port : planet_ports(gears, PortOutput::motion, {"planet_" + number + ".", own, own}))
       side.ports.push_back(std::move(port));
     side.outputs.push_back(
         nominal(index_of(gears.outputs(), own + "speed"), operation, operation.speeds.planet_relative));
@@ -60,11 +60,12 @@ Side side_of(system::DrivenBearing& bearing, int planet, const gearset::dynamics
   const auto acceleration = [operation, carrier](double time) {
     return InputPolynomial::constant(carrier * speed_at(operation, time).rate);
   };
-  return {&bearing,
-          planet_ports(bearing, Gives::force, {"planet_" + std::to_string(planet + 1) + ".", "planet.", ""}),
-          {nominal(input("planet.speed"), operation, operation.speeds.planet_relative),
-           nominal(input("carrier.speed"), operation, carrier),
-           {input("carrier.acceleration"), acceleration}}};
+  return {
+      &bearing,
+      planet_ports(bearing, PortOutput::force, {"planet_" + std::to_string(planet + 1) + ".", "planet.", ""}),
+      {nominal(input("planet.speed"), operation, operation.speeds.planet_relative),
+       nominal(input("carrier.speed"), operation, carrier),
+       {input("carrier.acceleration"), acceleration}}};
 }
 
 CoupledOptions with_window(CoupledOptions options, double window) {

@@ -20,7 +20,7 @@ constexpr Complex kI(0.0, 1.0);
 
 // A force of a mesh on a tooth at its pitch point.
 struct ToothForce {
-  NodalLoad load;      // on the sector whose tooth it is
+  NodalLoad load;         // on the sector whose tooth it is
   double position = 0.0;  // [rad]  of the middle of that tooth, in the planet's frame
 };
 
@@ -78,7 +78,7 @@ RimInfluence rim_influence(const RimSection& section, const WorkingGeometry& geo
   const int most_of_teeth = (body.sectors() - 1) / 2;
   for (int n = 0; n <= std::max(most_order, most_of_teeth); ++n) {
     const std::vector<NodalLoad> loads{body.race_wave(n), teeth[0].load, teeth[1].load};
-    const Eigen::MatrixXcd free = body.works(n, loads, Held::on_average);
+    const Eigen::MatrixXcd free = body.works(n, loads, RaceConstraint::on_average);
     const auto turned = [&](int tooth) {
       return std::exp(-kI * (n * teeth[static_cast<std::size_t>(tooth)].position));
     };
@@ -90,7 +90,7 @@ RimInfluence rim_influence(const RimSection& section, const WorkingGeometry& geo
       put_wave(n, free(0, 2) / two_pi * turned(1), influence.by_ring);
     }
     if (n > most_of_teeth) continue;
-    const Eigen::MatrixXcd beyond = free - body.works(n, loads, Held::rigidly);
+    const Eigen::MatrixXcd beyond = free - body.works(n, loads, RaceConstraint::rigidly);
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         influence.meshes(i, j) += (n == 0 ? 1.0 : 2.0) / body.sectors() *

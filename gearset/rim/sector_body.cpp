@@ -413,8 +413,9 @@ Eigen::VectorXcd SectorBody::average(int order) const {
 }
 
 // Displacements of the kept freedoms, for loads and displacements that continue from sector to sector.
-Eigen::MatrixXcd SectorBody::displacements(int order, const Eigen::MatrixXcd& loads, Held held) const {
-  const bool rigid = held == Held::rigidly;
+Eigen::MatrixXcd SectorBody::displacements(int order, const Eigen::MatrixXcd& loads,
+                                           RaceConstraint constraint) const {
+  const bool rigid = constraint == RaceConstraint::rigidly;
   const auto cut = static_cast<Eigen::Index>(2 * mesh_.first_side.size());
   const Eigen::Index kept = loads.rows(), race = kept - 2 * cut;
   const Eigen::Index begin = rigid ? 2 : 0;  // the cut's own node on the race comes first
@@ -440,9 +441,10 @@ Eigen::MatrixXcd SectorBody::displacements(int order, const Eigen::MatrixXcd& lo
   return all * solved(matrix, right).topRows(free);
 }
 
-Eigen::MatrixXcd SectorBody::works(int order, const std::vector<NodalLoad>& loads, Held held) const {
+Eigen::MatrixXcd SectorBody::works(int order, const std::vector<NodalLoad>& loads,
+                                   RaceConstraint constraint) const {
   const Reduced by = reduced(loads);
-  return by.inner.adjoint() * by.within + by.kept.adjoint() * displacements(order, by.kept, held);
+  return by.inner.adjoint() * by.within + by.kept.adjoint() * displacements(order, by.kept, constraint);
 }
 
 }  // namespace orbearing::gearset::rim

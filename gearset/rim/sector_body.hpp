@@ -55,8 +55,8 @@ SectorMesh sector_mesh(const RimSection& section, const Fineness& fineness);
 /// and along the circumference at their own position.
 using NodalLoad = Eigen::VectorXcd;  // (2 nodes)  radial, circumferential of each node
 
-/// Constraint of the race.
-enum class Held {
+/// How the race is held.
+enum class RaceConstraint {
   on_average,  // on the whole it neither turns nor shifts; free else
   rigidly,     // it does not move at all
 };
@@ -81,7 +81,7 @@ class SectorBody {
   /// Work of each load on the displacement under each other load, in one sector [N m]: loads^H K^-1 loads,
   /// where loads and displacements in the next sector are ahead by `order` times its angle. The force that
   /// holds the race balances the rest.
-  Eigen::MatrixXcd works(int order, const std::vector<NodalLoad>& loads, Held held) const;
+  Eigen::MatrixXcd works(int order, const std::vector<NodalLoad>& loads, RaceConstraint constraint) const;
 
  private:
   struct Factors;
@@ -93,7 +93,7 @@ class SectorBody {
   };
   Reduced reduced(const std::vector<NodalLoad>& loads) const;
   NodalLoad race_traction(int order, int component) const;
-  Eigen::MatrixXcd displacements(int order, const Eigen::MatrixXcd& loads, Held held) const;
+  Eigen::MatrixXcd displacements(int order, const Eigen::MatrixXcd& loads, RaceConstraint constraint) const;
   Eigen::VectorXcd average(int order) const;
 
   SectorMesh mesh_;

@@ -28,10 +28,10 @@ Side side(std::vector<Port> ports) {
 
 TEST(Connect, JoinsOneMotionWithAllForcesOfItsName) {
   const Side gears =
-      side({{"a", PortKind::translation, Gives::motion}, {"b", PortKind::rotation, Gives::motion}});
+      side({{"a", PortKind::translation, PortOutput::motion}, {"b", PortKind::rotation, PortOutput::motion}});
   const Side first =
-      side({{"b", PortKind::rotation, Gives::force}, {"a", PortKind::translation, Gives::force}});
-  const Side second = side({{"a", PortKind::translation, Gives::force}});
+      side({{"b", PortKind::rotation, PortOutput::force}, {"a", PortKind::translation, PortOutput::force}});
+  const Side second = side({{"a", PortKind::translation, PortOutput::force}});
   const std::vector<Connection> joints = connect_by_name({first, gears, second});
   ASSERT_EQ(joints.size(), 2u);
   EXPECT_EQ(joints[0].motion.side, 1u);
@@ -44,10 +44,10 @@ TEST(Connect, JoinsOneMotionWithAllForcesOfItsName) {
 }
 
 TEST(Connect, RefusesWhatIsNoJoint) {
-  const Side motion = side({{"a", PortKind::translation, Gives::motion}});
-  const Side rotating = side({{"a", PortKind::rotation, Gives::force}});
-  const Side force = side({{"a", PortKind::translation, Gives::force}});
-  const Side stray = side({{"b", PortKind::translation, Gives::force}});
+  const Side motion = side({{"a", PortKind::translation, PortOutput::motion}});
+  const Side rotating = side({{"a", PortKind::rotation, PortOutput::force}});
+  const Side force = side({{"a", PortKind::translation, PortOutput::force}});
+  const Side stray = side({{"b", PortKind::translation, PortOutput::force}});
   EXPECT_NO_THROW(connect_by_name({motion, force}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 1", connect_by_name({motion}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 2", connect_by_name({force}));

@@ -46,7 +46,7 @@ SectorMesh plain_sector(double inner, double outer, int sectors, int columns, in
 // [m/N]  radial displacement of the race by a radial force, the share of order n: c_n of (1), with the
 // half-space.
 double wave_compliance(const SectorBody& body, int order) {
-  const double work = body.works(order, {body.race_wave(order)}, Held::on_average)(0, 0).real();
+  const double work = body.works(order, {body.race_wave(order)}, RaceConstraint::on_average)(0, 0).real();
   return (order == 0 ? 1.0 : 2.0) * work * body.sectors() / (two_pi * two_pi);
 }
 
@@ -91,12 +91,12 @@ TEST(SectorBody, ShortWavesFeelTheHalfSpace) {
 TEST(SectorBody, HeldRaceDoesNotMove) {
   const SectorBody body(plain_sector(0.02, 0.027, 8, 8, 3), kSteel, 8);
   for (const int order : {0, 1, 3})
-    EXPECT_EQ(std::abs(body.works(order, {body.race_wave(order)}, Held::rigidly)(0, 0)), 0.0);
+    EXPECT_EQ(std::abs(body.works(order, {body.race_wave(order)}, RaceConstraint::rigidly)(0, 0)), 0.0);
 }
 
 TEST(SectorBody, MeanOfTheRaceStaysWhereABodyIsFree) {
   const SectorBody body(plain_sector(0.02, 0.027, 8, 8, 3), kSteel, 8);
-  const Eigen::MatrixXcd works = body.works(1, {body.race_wave(1), body.race_shear(1)}, Held::on_average);
+  const Eigen::MatrixXcd works = body.works(1, {body.race_wave(1), body.race_shear(1)}, RaceConstraint::on_average);
   const double size = wave_compliance(body, 2);
   EXPECT_LT(std::abs(works(0, 0)), 1e-9 * size);
   EXPECT_LT(std::abs(works(0, 1)), 1e-9 * size);
