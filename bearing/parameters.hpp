@@ -192,6 +192,13 @@ inline double slenderness(const Bearing& bearing) {
   return bearing.element_diameter() * std::cos(bearing.contact_angle()) / bearing.pitch_diameter;
 }
 
+inline auto laminae_row(int& laminae) {
+  using namespace described;
+  return field(laminae, "bearing.laminae", Physics::life,
+            "number of laminae of each contact, for profile and misalignment",
+            {.models = with_rollers, .range = {1, 200}, .numerical = true});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, CylindricalRollers& m) {
   using namespace described;
@@ -212,14 +219,12 @@ void describe(Visitor& visit, CylindricalRollers& m) {
              .fmu = InFmu::constant}),
       length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
       length(m.length, "bearing.roller_length", "effective contact length of a roller"),
-      field(m.laminae, "bearing.laminae", Physics::life,
-            "number of laminae of each contact, for profile and misalignment",
-            {.models = with_rollers, .range = {1, 200}, .numerical = true}),
+      laminae_row(m.laminae),
       field(
           m.diameter_deviation, "bearing.roller_diameter_deviation", Physics::motion,
           "diameter of each roller minus roller_diameter, from the first roller on",
           {.models = planetary_drivetrain, .dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
-      internal(m.profile, "bearing.profile"));
+      internal(m.profile, "bearing.profile", {}, {.models = with_rollers}));
 }
 
 template <class Visitor>
@@ -257,10 +262,24 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
           }));
 }
 
+/// Models with a rolling bearing.
+inline constexpr unsigned any_bearing =
+    described::with_rollers | described::with_balls | described::roller_defect;
+
+inline auto pitch_diameter_row(double& pitch_diameter) {
+  using namespace described;
+  return field(pitch_diameter, "bearing.pitch_diameter", Physics::balance,
+            "diameter of the circle of centres of rollers or balls",
+            {.models = any_bearing,
+             .required_by = any_bearing,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .fmu = InFmu::parameter});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, Bearing& m) {
   using namespace described;
-  constexpr unsigned any_bearing = with_rollers | with_balls | roller_defect;
   const auto of_rings = [](double& member, std::string path, Physics physics, std::string meaning) {
     return field(member, std::move(path), physics, std::move(meaning),
                  {.models = with_rollers | ball_motion,
@@ -278,13 +297,7 @@ void describe(Visitor& visit, Bearing& m) {
   members(
       visit, m,
       part(m.elements, [&] { std::visit([&](auto& elements) { describe(visit, elements); }, m.elements); }),
-      field(m.pitch_diameter, "bearing.pitch_diameter", Physics::balance,
-            "diameter of the circle of centres of rollers or balls",
-            {.models = any_bearing,
-             .required_by = any_bearing,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .fmu = InFmu::parameter}),
+      pitch_diameter_row(m.pitch_diameter),
       field(m.radial_clearance, "bearing.radial_clearance", Physics::balance,
             "internal clearance in diametral measure (ISO 5753); negative is interference",
             {.models = any_bearing,

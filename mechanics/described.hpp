@@ -127,8 +127,6 @@ enum class Physics {
   run,        // means over time
   run_up,     // speeds that grow
   single_bearing,      // a single bearing under a load of its own
-  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in static equilibrium
-  single_bearing_run,  // a ball bearing alone in time
   defect,              // a bearing with scratches in motion
   exchange,            // windows of a co-simulation
   carrier_body         // the carrier in three dimensions, held by its own bearings

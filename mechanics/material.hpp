@@ -46,6 +46,16 @@ inline auto poisson_ratio_row(double& member) {
                 .fmu = InFmu::parameter});
 }
 
+inline auto density_row(double& member) {
+  using namespace described;
+  return field(member, "material.density", Physics::carrier, "density of gears, rings and rollers",
+                {.models = of_material,
+                 .dimension = dimension::density,
+                 .range = {100.0, 25000.0},
+                 .reason = steel,
+                 .fmu = InFmu::parameter});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, Elasticity& m) {
   described::members(visit, m, youngs_modulus_row(m.youngs_modulus), poisson_ratio_row(m.poisson_ratio));
@@ -55,12 +65,7 @@ template <class Visitor>
 void describe(Visitor& visit, Material& m) {
   using namespace described;
   members(visit, m, youngs_modulus_row(m.youngs_modulus), poisson_ratio_row(m.poisson_ratio),
-          field(m.density, "material.density", Physics::carrier, "density of gears, rings and rollers",
-                {.models = of_material,
-                 .dimension = dimension::density,
-                 .range = {100.0, 25000.0},
-                 .reason = steel,
-                 .fmu = InFmu::parameter}));
+          density_row(m.density));
 }
 
 }  // namespace orbearing::mechanics

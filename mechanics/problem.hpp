@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace orbearing::mechanics {
@@ -14,5 +15,11 @@ struct Problem {
 };
 
 using Problems = std::vector<Problem>;
+
+/// Both parts of the text of an error.
+inline std::pair<std::string, std::string> found_and_required(const std::string& text) {
+  const auto split = text.find("; ");
+  return {text.substr(0, split), text.substr(split + 2)};
+}
 
 }  // namespace orbearing::mechanics

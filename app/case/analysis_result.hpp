@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/case/machine_rows.hpp"
+#include "coupling/analysis/life_table.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
@@ -20,6 +22,7 @@ struct AnalysisResult {
   std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
   std::string status = "ok";                                 // that the netCDF file gives
   bool failed = false;                                       // in parts
+  std::optional<analysis::LifeTable> lives{};                // that requirements limit
 };
 
 /// Options of a caller besides the result.

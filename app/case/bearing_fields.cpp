@@ -2,13 +2,13 @@
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/resolved_case.hpp"
 
 namespace orbearing::app::table {
 
 namespace {
 
-constexpr unsigned of_laminae =
-    use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness;
+constexpr unsigned of_laminae = use::lives | use::fmu_bearing | use::planet_stiffness;
 constexpr unsigned but_crown = of_laminae & ~unsigned{use::crown};
 constexpr unsigned gears_alone = use::bearings_as_springs | use::mesh;
 
@@ -25,18 +25,29 @@ Condition where_profile_acts_on_loads() {
 constexpr const char *kKind = "bearing.profile.kind", *kDrop = "bearing.profile.drop",
                      *kDesignLoad = "bearing.profile.design_load";
 
-// The kind has a default by the type of bearing (derived_defaults.cpp). Without laminae loads are those of
-// whole contacts, and the profile acts on lives by the standards alone.
-void add_profile(std::vector<Field>& fields) {
-  Rows rows(fields, with_rollers);
-  // Without laminae the profile affects lives only by the standards.
+// Without laminae loads of planets are those of whole contacts, and the profile affects lives only by the
+// standards.
+ProfileUses profile_of_planets() {
   const auto with_laminae = [](const Use& use) {
     return use.limited(app::use::fmu_bearing | app::use::planet_stiffness,
                        {where_given({"bearing.laminae"})});
   };
-  const Use of_any(of_laminae, gears_alone), profile = with_laminae(of_any);
-  const Use depth = with_laminae(Use(but_crown, use::crown | gears_alone));  // crown varies it
-  const Use table = with_laminae(Use(but_crown, gears_alone)).when(where(kKind, {"table"}));
+  const Use of_any(of_laminae, gears_alone);
+  return {.kind =
+              of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
+          .shape = with_laminae(of_any),
+          .depth = with_laminae(Use(but_crown, use::crown | gears_alone)),  // crown varies it
+          .table = with_laminae(Use(but_crown, gears_alone)),
+          .all = of_laminae,
+          .crown = use::crown};
+}
+
+}  // namespace
+
+// The kind has a default by the type of bearing (derived_defaults.cpp).
+void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses) {
+  Rows rows(fields, models & with_rollers);
+  const Use &profile = uses.shape, &depth = uses.depth, table = uses.table.when(where(kKind, {"table"}));
   const auto of_kind = [&](const char* kind) { return profile.when(where(kKind, {kind})); };
   // Its depth may be scaled: the shape is determined by the end and the load.
   const std::vector<Condition> shape_beside_end_drop{where(kKind, {"fujiwara-kawase"}),
@@ -47,20 +58,20 @@ void add_profile(std::vector<Field>& fields) {
   constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
 
   rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends",
-              of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
+              uses.kind,
               {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
                "fujiwara-kawase", "table"});
   rows.quantity(
       kDrop,
       "relief of one roller at the outermost of 40 laminae; left out: what the other entries of the "
       "profile give, else the relief of the profile of ISO/TS 16281 there",
-      depth.used_too(use::crown, drop_beside_end_drop), dimension::small_length, relief);
+      depth.used_too(uses.crown, drop_beside_end_drop), dimension::small_length, relief);
   rows.quantity(kDesignLoad,
                 "design load of one roller for lundberg, johns-gohar and fujiwara-kawase; left out: the load "
                 "that corresponds to the drop",
                 profile.when(where(kKind, {"lundberg", "johns-gohar", "fujiwara-kawase"}))
                     .when(where_absent(kDrop))
-                    .used_too(of_laminae, shape_beside_end_drop),
+                    .used_too(uses.all, shape_beside_end_drop),
                 dimension::force, positive(1e8));
   rows.quantity("bearing.profile.chamfer_length",
                 "chamfer: its length at each end; left out: a tenth of the roller", of_kind("chamfer"),
@@ -72,7 +83,7 @@ void add_profile(std::vector<Field>& fields) {
               depth.when(where(kKind, {"fujiwara-kawase"}))
                   .when(where_given({kDesignLoad}))
                   .when(where_absent(kDrop))
-                  .used_too(of_laminae, shape_beside_end_drop),
+                  .used_too(uses.all, shape_beside_end_drop),
               positive(1000.0));
   rows.number("bearing.profile.k2", "fujiwara-kawase: K2, crowned share of each half; left out: 1",
               of_kind("fujiwara-kawase"), positive(1.0));
@@ -86,6 +97,8 @@ void add_profile(std::vector<Field>& fields) {
                 relief)
       .listed();
 }
+
+namespace {
 
 // Waves of one race: lists of equal length, phases may be left out.
 void add_form(std::vector<Field>& fields, const std::string& block, const std::string& which,
@@ -117,16 +130,20 @@ void add_forms(std::vector<Field>& fields) {
 
 }  // namespace
 
-void add_bearing_fields(std::vector<Field>& fields) {
-  Rows(fields, with_rollers)
-      .choice("bearing.type", "kind of bearing; others than cylindrical-roller in planets at rest alone",
-              Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
-                      use::planet_stiffness,
-                  use::mesh),
+void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& use) {
+  if ((models & with_rollers) == 0) return;
+  Rows(fields, models & with_rollers)
+      .choice("bearing.type", "kind of bearing; others than cylindrical-roller in planets at rest alone", use,
               choices_of<bearing::PlanetBearingType>())
       .required();
+}
+
+void add_bearing_fields(std::vector<Field>& fields) {
+  add_bearing_type(fields, planetary_drivetrain,
+                   Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness,
+                       use::mesh));
   add_described(fields, default_drivetrain());
-  add_profile(fields);
+  add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
   add_forms(fields);
 }
 

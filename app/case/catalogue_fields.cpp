@@ -3,7 +3,6 @@
 #include "app/case/catalogue_fields.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include "app/case/field_table.hpp"
@@ -27,7 +26,8 @@ Use either_of(const Use& one, const Use& other) {
 // Used wherever one of `paths` is.
 Use use_of_any(std::vector<Field>& fields, const std::vector<std::string>& paths) {
   Use any{0, 0};
-  for (const std::string& path : paths) any = either_of(any, table::row_of(fields, path).use);
+  for (const std::string& path : paths)
+    if (const Field* field = table::find_row(fields, path)) any = either_of(any, field->use);
   return any;
 }
 
@@ -40,12 +40,14 @@ Use use_of_rings(std::vector<Field>& fields) {
 
 // Use as that of the number of rollers, which it determines for a catalogue bearing. The frequencies of a
 // scratched bearing are those of its cage.
-Use use_of_complement(std::vector<Field>& fields) {
+Use use_of_complement(std::vector<Field>& fields, unsigned by_designation) {
   constexpr unsigned moving = use::planet_defect;
-  Use rollers = table::row_of(fields, catalogue_keys::kRollers).use;
+  const Field* row = table::find_row(fields, catalogue_keys::kRollers);
+  if (row == nullptr) return {0, 0};
+  Use rollers = row->use;
   for (unsigned* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by}) *status &= ~moving;
   rollers.refused_by |= moving;
-  return rollers.used_only(use::single_bearing_equilibrium, {where_given({catalogue_keys::kDesignation})});
+  return rollers.used_only(by_designation, {where_given({catalogue_keys::kDesignation})});
 }
 
 }  // namespace
@@ -79,9 +81,12 @@ const std::vector<std::string>& paths_of_designation() {
 
 namespace table {
 
-void add_catalogue_fields(std::vector<Field>& fields) {
+void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned by_complement) {
   using namespace catalogue_keys;
-  const auto use_of = [&](const char* path) { return row_of(fields, path).use; };
+  const auto use_of = [&](const char* path) {
+    const Field* field = find_row(fields, path);
+    return field == nullptr ? Use(0, 0) : field->use;
+  };
   std::vector<std::string> designated = paths_of_designation();
   designated.emplace_back(kDynamic);
   const Use by_designation = use_of_any(fields, designated);
@@ -115,15 +120,14 @@ void add_catalogue_fields(std::vector<Field>& fields) {
               use_of_any(fields, {kDensity}).when(caged), {"polyamide", "steel", "brass", "aluminium"});
   Rows(added, with_rollers)
       .choice(kComplement, "rollers separated by a cage, or in contact with one another",
-              use_of_complement(fields), {"caged", "full"})
+              use_of_complement(fields, by_complement), {"caged", "full"})
       .by_default("caged", "as most catalogue bearings");
 
-  row_of(fields, kRings).use = use_of_rings(fields);
-  for (const std::string& path : paths_of_designation())
-    row_of(fields, path).under(where_absent(kDesignation));
-  const auto limit = [&](const char* path, const Condition& condition) {
-    row_of(fields, path).under(condition);
+  if (Field* rings = find_row(fields, kRings)) rings->use = use_of_rings(fields);
+  const auto limit = [&](const std::string& path, const Condition& condition) {
+    if (Field* field = find_row(fields, path)) field->under(condition);
   };
+  for (const std::string& path : paths_of_designation()) limit(path, where_absent(kDesignation));
   limit(kClearance, where_absent(kClass));
   limit(kDensity, where_absent(kMaterial));
   limit(kInnerFit, where_absent(kPinClass));
@@ -136,7 +140,8 @@ void add_catalogue_fields(std::vector<Field>& fields) {
   limit("bearing.temperature.inner_ring", with_both_rings);
   limit(kOuterFit, with_outer_ring);
   limit("bearing.temperature.outer_ring", with_outer_ring);
-  std::move(added.begin(), added.end(), std::back_inserter(fields));
+  for (Field& field : added)
+    if ((field.models &= models) != 0) fields.push_back(std::move(field));
 }
 
 }  // namespace table

@@ -61,11 +61,8 @@ void check_members(CheckedCase& in) {
 
 // The checks of the gears give "what was found; what is required" and a key.
 void add_errors(CheckedCase& in, const gearset::Warnings& problems) {
-  for (const gearset::Warning& problem : problems) {
-    const auto split = problem.text.find("; ");  // found; required
-    in.add_error_at(location_in_case(in, problem.key), problem.text.substr(0, split),
-                    problem.text.substr(split + 2));
-  }
+  for (const gearset::Warning& problem : problems)
+    in.add_error(location_in_case(in, problem.key), problem.text);
 }
 
 // One of several sets may go without.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/case/field.hpp"
+#include "bearing/profile/profile.hpp"
 
 namespace orbearing::app {
 
@@ -31,7 +32,7 @@ class DescribedFields {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (facts.details.models == no_model) return;
+    if (facts.details.models == no_model || std::is_same_v<Member, bearing::profile::Profile>) return;
     Field field = field_of(facts);
     set_kind(field, member, facts.details);
     if (facts.details.reason.empty()) field.default_text.clear();
@@ -52,8 +53,9 @@ class DescribedFields {
     field.kind = field.dimension.name.empty() ? Kind::number : Kind::quantity;
     field.default_text = default_text(value, details);
   }
-  static void set_kind(Field& field, std::optional<double> value, const described::Details& details) {
-    set_kind(field, value.value_or(0.0), details);
+  template <class Value>
+  static void set_kind(Field& field, const std::optional<Value>& value, const described::Details& details) {
+    set_kind(field, value.value_or(Value{}), details);
   }
   static void set_kind(Field& field, const std::vector<double>&, const described::Details&) {
     field.kind = Kind::list;

@@ -23,24 +23,22 @@ unsigned holding(described::Physics physics) {
       {central_teeth, use::gears_in_motion | use::natural | use::mesh},
       {output, 0},
       {gear_motion, use::gears_in_motion},
-      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
-                    use::balls_in_motion | use::defect | use::planet_stiffness},
-      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
+      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect | use::defect |
+                    use::planet_stiffness},
+      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect |
                     use::planet_stiffness},
       {carrier_body, use::carrier},
       {walls, use::gears_in_motion | use::natural | use::rollers_in_motion},
-      {pin, use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion},
+      {pin, use::rollers_in_motion | use::bearings_as_springs | use::moving_defect},
       {load_sharing, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets},
       {positions, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh},
       {at_rest, use::rollers_at_rest | use::in_time | use::bearings_as_springs},
-      {motion, use::rollers_in_motion | use::balls_in_motion},
+      {motion, use::rollers_in_motion | use::moving_defect},
       {euler, use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing},
-      {life, use::lives | use::fmu_bearing | use::static_load},
+      {life, use::lives | use::fmu_bearing},
       {run, use::in_time},
       {run_up, use::dynamic | use::dynamic_of_sets},
-      {single_bearing, use::single_bearing_equilibrium | use::balls_in_motion | use::defect},
-      {rotating_balls, use::single_bearing_equilibrium},
-      {single_bearing_run, use::ball_run},
+      {single_bearing, use::moving_defect | use::defect},
       {defect, use::defect | use::moving_defect | use::planet_defect},
       {exchange, use::co_simulated}};
   return std::ranges::find(holders, physics, &std::pair<described::Physics, unsigned>::first)->second;
@@ -91,7 +89,6 @@ const Exception exceptions[] = {
      use::bearings_as_springs},
     // Stops hold planets and sun under a load; their stiffness affects only small vibration.
     {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
-    {{"load.tilt"}, use::ball_run},
     // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
     {{"inertia.gravity"},
      use::fmu_bearing | use::fmu_gearset,
@@ -173,29 +170,10 @@ Use with_meshes(Use use, std::string_view path) {
 Use with_stiffness(const Use& use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
   if (path == "support.pin_diameter") return use.when(where("support.pin_ends", {"flexpin"}));
-  if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
+  if (path == "bearing.laminae") return also_used(use, use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
   return use.used_only(use::planet_stiffness, {where_filmed()})
       .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
-}
-
-// The mass of balls, and the film under them, have an effect where a ring rotates.
-Use with_rotating_rings(const Use& use, const described::Facts& facts) {
-  Condition rotating = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
-  if (facts.physics == described::Physics::rotating_balls) return use.when(rotating);
-  if (facts.path == "material.density")
-    return use.used_too(
-        use::single_bearing_equilibrium,
-        {rotating, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
-  if (facts.path == "film.enabled") {
-    rotating.paths.emplace_back("input.speed");  // planets turn always
-    return also_used(use, use::single_bearing_equilibrium).when(rotating);
-  }
-  return use;
-}
-
-bool share_is_stated(const ResolvedCase& in, std::string_view) {
-  return !in.has("lubricant.fill") || in.choice("lubricant.fill") == "stated";
 }
 
 // Lives include films; elsewhere the oil has an effect where a film takes part in the approach, or where the
@@ -204,7 +182,7 @@ Use with_oil(const Use& use, std::string_view path) {
   std::vector<Condition> viscosity_makes_kappa{where_given({"life.cleanliness", "life.contamination_factor"}),
                                                where_absent("life.viscosity_ratio"),
                                                where_absent("lubricant.kinematic_viscosity")};
-  const Condition no_grade = where_absent("lubricant.grade"), dragged = where("drag.enabled", {"true"});
+  const Condition no_grade = where_absent("lubricant.grade");
   constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   // It makes the viscosity of a grade, under films, or kinematic that which is stated.
   if (path == "lubricant.density") {
@@ -214,16 +192,8 @@ Use with_oil(const Use& use, std::string_view path) {
         .used_too(with_film_alone, {grade, where_filmed()})
         .used_too(use::quasi_static | use::crown, viscosity_makes_kappa);
   }
-  if (path == "lubricant.flow")
-    return use.when(where("drag.mixture", {"carried"}))
-        .when(dragged)
-        .used_too(use::ball_run, {where("lubricant.fill", {"parker"}), dragged})
-        .used_too(use::ball_run, where("heat.enabled", {"true"}));
-  if (path == "lubricant.share")
-    return use.when(where_true(share_is_stated, "where lubricant.fill is stated"));
   if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
-  Use oil = use.used_only(with_film_alone, {where_filmed()})
-                .used_too(use::single_bearing_equilibrium, where_filmed());
+  Use oil = use.used_only(with_film_alone, {where_filmed()});
   if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, viscosity_makes_kappa);
   return oil.when(no_grade);
 }
@@ -314,14 +284,9 @@ Use with_own_condition(const Use& use, const described::Facts& facts) {
   return use.when(condition_of(only));
 }
 
-std::vector<Condition> where_others_know_friction() {
-  return {where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
-          where_given({"operation.shaft_speed", "operation.outer_speed"})};
-}
-
-Use with_friction_and_heat(Use use, std::string_view path) {
+Use with_friction_and_heat(const Use& use, std::string_view path) {
   // Besides the friction of the races, others build up over the same sliding speed.
-  constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
+  constexpr unsigned moving = use::rollers_in_motion | use::moving_defect | use::planet_defect;
   if (path == "traction.sliding_scale")
     return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
         .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
@@ -331,25 +296,11 @@ Use with_friction_and_heat(Use use, std::string_view path) {
   if (path == "traction.largest_barus_exponent")
     return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
   if (path == "traction.limiting_friction")
-    return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
-  if (is_one_of(path, {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
-                       "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
-                       "heat.expansion", "heat.sizes_temperature"}))
-    return use.when(where("heat.model", {"network"}));
+    return use.used_too(use::moving_defect, where("traction.law", {"ree-eyring"}));
   if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
   if (path == "heat.viscosity_slope")
     return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
-  // Friction formulas of other sources for a single bearing use its boundary dimensions, and its density
-  // where rollers rotate; oil and heat of a quasi-static roller bearing affect its friction.
-  if (is_one_of(path, {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density",
-                       "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
-    return use.used_too(use::static_load, where_others_know_friction());
-  if (!is_one_of(path, {"heat.model", "heat.inlet"})) return use;
-  // Oil that does not flow brings nothing in.
-  if (path == "heat.inlet") use = use.when(where_given({"lubricant.flow"}));
-  std::vector<Condition> heated = where_others_know_friction();
-  heated.push_back(where("heat.enabled", {"true"}));
-  return use.used_too(use::static_load, std::move(heated));
+  return use;
 }
 
 // Fields that apply only to rollers in planets: balls have neither a model of line contacts nor a film, so
@@ -392,10 +343,6 @@ Use with_other_ways(Use use, std::string_view path) {
   if (path == "traction.starvation") return at_steady_speed(use);
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
-  // Masses of rings are heated; that of the stationary ring has no other effect.
-  if (path == "bearing.outside_diameter")
-    return use.used_too(use::ball_run, where("heat.enabled", {"true"}))
-        .used_too(use::ball_run, where_given({"bearing.designation", "bearing.bore"}));
   if (path == "contact.roughness")
     return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")
@@ -426,7 +373,7 @@ Condition condition_of(const described::Where& where) {
 Use use_of(const described::Facts& facts) {
   const std::string_view path = facts.path;
   Use use = with_meshes(with_pins(use_by_physics(facts), path), path);
-  use = with_oil(with_rotating_rings(with_stiffness(use, path), facts), path);
+  use = with_oil(with_stiffness(use, path), path);
   use = with_carrier(with_springs(with_held_members(use, path), facts), path);
   use = with_other_ways(with_own_condition(use, facts), path);
   return with_moving_pin(with_resonances(used_beside_rollers(use, path), path), path);

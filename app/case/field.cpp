@@ -424,6 +424,11 @@ Field& Field::of_numerics() {
   return *this;
 }
 
+const Use& Field::use_in(Model model) const {
+  const auto own = std::ranges::find(of_machines, model, &std::pair<Model, Use>::first);
+  return own == of_machines.end() ? use : own->second;
+}
+
 Field& Field::by_default(std::string text, std::string reason) {
   default_text = std::move(text);
   default_reason = std::move(reason);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/case/field_use.hpp"
@@ -67,6 +68,10 @@ struct Field {
   };
   std::vector<Alternative> alternatives{};  // the outer ones first
   bool required_if_chosen = false;
+  std::vector<std::pair<Model, Use>> of_machines{};  // uses by analyses of machines whose cases are types
+
+  /// Uses in a case of that model.
+  const Use& use_in(Model model) const;
 
   /// Further properties of a row; each function returns the row itself.
   Field& by_default(std::string text, std::string reason);

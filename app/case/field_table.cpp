@@ -9,6 +9,7 @@
 
 #include "app/case/described_fields.hpp"
 #include "app/case/machine_fields.hpp"
+#include "app/case/machine_rows.hpp"
 
 namespace orbearing::app {
 
@@ -60,19 +61,27 @@ std::vector<Field> grouped(std::vector<Field> fields) {
   return fields;
 }
 
+// Models whose cases are no types.
+unsigned models_by_table() {
+  unsigned models = every_model;
+  Machines::each([&]<class Row>(Row, std::size_t) { models &= ~unsigned{Row::model}; });
+  return models;
+}
+
 std::vector<Field> build_table() {
+  const unsigned models = models_by_table();
   std::vector<Field> fields;
-  table::add_case_fields(fields);
+  table::add_case_fields(fields, models, Use(use::all, 0));
   table::add_drivetrain_fields(fields);
   table::add_bearing_fields(fields);
   table::add_static_fields(fields);
-  add_machine_fields(fields);
-  table::add_oil_fields(fields);
+  table::add_oil_fields(fields, models);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0)
       field.use = with_carrier_beside(
           with_carrier_body(with_planet_defect(field.use, field.path), field.path), field.path);
-  table::add_catalogue_fields(fields);
+  table::add_catalogue_fields(fields, models);
+  add_machine_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -260,20 +269,24 @@ Field& Rows::list_of_rows(std::string path, std::string meaning, const Use& use,
   return field;
 }
 
-Field& row_of(std::vector<Field>& fields, std::string_view path) {
+Field* find_row(std::vector<Field>& fields, std::string_view path) {
   const auto found = std::ranges::find(fields, path, &Field::path);
-  if (found == fields.end()) throw std::logic_error("no field '" + std::string(path) + "'");
+  return found == fields.end() ? nullptr : &*found;
+}
+
+Field& row_of(std::vector<Field>& fields, std::string_view path) {
+  Field* found = find_row(fields, path);
+  if (found == nullptr) throw std::logic_error("no field '" + std::string(path) + "'");
   return *found;
 }
 
-void add_case_fields(std::vector<Field>& fields) {
-  Rows rows(fields, every_model);
-  const Use always(use::all, 0);
+void add_case_fields(std::vector<Field>& fields, unsigned models, const Use& use) {
+  Rows rows(fields, models);
   std::vector<std::string> names;
-  for (const Model model : models()) names.emplace_back(model_name(model));
-  rows.text("name", "name of the case", always).required();
-  rows.text("source", "where the data come from; the name of the file unless it is given", always);
-  rows.choice("model", "what is computed", always, std::move(names)).required();
+  for (const Model model : app::models()) names.emplace_back(model_name(model));
+  rows.text("name", "name of the case", use).required();
+  rows.text("source", "where the data come from; the name of the file unless it is given", use);
+  rows.choice("model", "what is computed", use, std::move(names)).required();
 }
 
 }  // namespace table

@@ -77,14 +77,40 @@ class Rows {
 /// The row of that path in a table that is being made, which has one.
 Field& row_of(std::vector<Field>& fields, std::string_view path);
 
-/// Rows by block; a new model adds a file with such a function.
-void add_case_fields(std::vector<Field>& fields);
+/// The same in a table that may lack it: null then.
+Field* find_row(std::vector<Field>& fields, std::string_view path);
+
+// Rows by block, of models whose cases are no types.
 void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
-void add_requirements(std::vector<Field>& fields);
-void add_oil_fields(std::vector<Field>& fields);
-void add_catalogue_fields(std::vector<Field>& fields);  // after those that they put conditions on
+void add_oil_fields(std::vector<Field>& fields, unsigned models);
+
+// Rows of inputs that are no members of structures, for those of `models` that have them: of a planetary
+// drivetrain, or of one machine.
+
+void add_case_fields(std::vector<Field>& fields, unsigned models, const Use& use);
+void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& use);
+
+/// Member that the profile of the rollers is, and uses of its inputs.
+inline constexpr std::string_view profile_member = "bearing.profile";
+struct ProfileUses {
+  Use kind, shape, depth, table;
+  unsigned all;        // analyses with a profile
+  unsigned crown = 0;  // that vary its depth
+};
+void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses);
+
+/// Member that the grade of the oil is.
+inline constexpr std::string_view oil_member = "lubricant.grade";
+void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use);
+
+/// `crown`: analyses that optimize the life which a requirement selects.
+void add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, unsigned crown = 0);
+
+/// After those that they put conditions on. `by_complement`: analyses that use the complement of a catalogue
+/// bearing alone.
+void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned by_complement = 0);
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -147,6 +147,7 @@ Use Use::when(Condition condition) const {
 
 Use Use::used_too(unsigned analyses, std::vector<Condition> all) const {
   Use more = *this;
+  if (analyses == 0) return more;
   more.ways.push_back({analyses, std::move(all)});
   return more;
 }

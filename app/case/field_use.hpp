@@ -41,17 +41,13 @@ enum Analysis : unsigned {
   mesh = 1u << 9,
   fmu_bearing = 1u << 10,
   fmu_gearset = 1u << 11,
-  static_load = 1u << 12,    // run of a single bearing
-  defect = 1u << 13,         // run of a bearing with scratches, on balls without mass
-  ball_run = 1u << 16,       // run of a ball bearing in time
-  moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
-  stiffness = 1u << 21,  // of a single bearing
-  planet_stiffness = 1u << 22,
-  planet_defect = 1u << 23,  // run of a drivetrain with a scratched planet bearing
-  carrier = 1u << 24,        // the carrier as a body, over a revolution
-  first_of_machines = 1u << 25  // and those after it: rows of app/case/machines.cpp
+  defect = 1u << 12,         // run of a bearing with scratches, on balls without mass
+  moving_defect = 1u << 13,  // run of a bearing with scratches, all of it in motion
+  planet_stiffness = 1u << 14,
+  planet_defect = 1u << 15,     // run of a drivetrain with a scratched planet bearing
+  carrier = 1u << 16,           // the carrier as a body, over a revolution
+  first_of_machines = 1u << 17  // and those after it: rows of app/case/machine_rows.hpp
 };
-inline constexpr unsigned of_machines = 0x1fu * first_of_machines;  // five, until the other models are types
 
 /// Analyses that share their physics.
 inline constexpr unsigned one_set_in_time = dynamic | co_simulated | monolithic;
@@ -64,11 +60,8 @@ inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffn
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain =
     lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect | carrier;
-inline constexpr unsigned single_bearing_equilibrium = static_load | stiffness;  // of a single bearing
-inline constexpr unsigned all =
-    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | of_machines;
-/// Balls that roll and slip by themselves.
-inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
+/// All but those of machines, whose uses are beside these (Field::use_in).
+inline constexpr unsigned all = of_a_drivetrain | defect | moving_defect;
 }  // namespace use
 
 /// Condition under which a field has an effect: one of `paths` has one of `values`; without values, it is

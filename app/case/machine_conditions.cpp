@@ -1,4 +1,4 @@
-// Conditions beside the types that analyses of machines take: conditions_on() of machine_fields.hpp. Unlike
+// Conditions beside the types that analyses of machines take: conditional_uses() of machine_fields.hpp. Unlike
 // the other pairs of this folder it has no header of its own, since cases are above the fields.
 #include <algorithm>
 
@@ -9,26 +9,47 @@ namespace orbearing::app {
 
 namespace {
 
+std::vector<std::string> choices_in(const std::string& text) {
+  std::vector<std::string> choices;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('|', begin), text.size());
+    choices.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return choices;
+}
+
+template <class Row, class Inputs>
+Condition condition_of(const mechanics::Premise<Inputs>& premise) {
+  return {.paths = premise.on,
+          .values = choices_in(premise.value),
+          .holds =
+              [holds = premise.holds](const ResolvedCase& in, std::string_view) {
+                return in.model() == Row::model && holds(machine_of<Inputs>(in));
+              },
+          .text = premise.text};
+}
+
 template <class Row>
-void add_conditions(std::string_view path, std::vector<Condition>& found) {
+void add_uses(std::string_view path, std::vector<ConditionalUse>& found) {
   using Inputs = InputsOfRow<Row>;
   if constexpr (requires { Inputs::conditions(); })
-    for (const auto& one : Inputs::conditions())
-      if (std::ranges::any_of(one.keys, [&](const std::string& key) { return path.starts_with(key); }))
-        found.push_back({.paths = one.on,
-                         .holds =
-                             [holds = one.holds](const ResolvedCase& in, std::string_view) {
-                               return in.model() == Row::model && holds(machine_of<Inputs>(in));
-                             },
-                         .text = one.text});
+    for (const mechanics::Conditional<Inputs>& one : Inputs::conditions()) {
+      if (std::ranges::none_of(one.keys, [&](const std::string& key) { return path.starts_with(key); }))
+        continue;
+      ConditionalUse& use = found.emplace_back();
+      use.not_modelled = one.otherwise == mechanics::Otherwise::not_modelled;
+      use.beside_row = one.beside_row;
+      for (const auto& premise : one.premises) use.conditions.push_back(condition_of<Row>(premise));
+    }
 }
 
 }  // namespace
 
-std::vector<Condition> conditions_on(std::string_view path, std::size_t analysis) {
-  std::vector<Condition> found;
+std::vector<ConditionalUse> conditional_uses(std::string_view path, std::size_t analysis) {
+  std::vector<ConditionalUse> found;
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    if (number == analysis) add_conditions<Row>(path, found);
+    if (number == analysis) add_uses<Row>(path, found);
   });
   return found;
 }

@@ -3,39 +3,166 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "app/case/bearing_fields.hpp"
+#include "app/case/field_table.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-void add_use(Use& use, use::Analysis used, std::vector<Condition> conditions) {
-  if (conditions.empty())
-    use.by |= used;
-  else
-    use.ways.push_back({used, std::move(conditions)});
+bool is_same(const Condition& one, const Condition& other) {
+  return one.text == other.text && one.paths == other.paths && one.values == other.values;
+}
+bool are_same(const std::vector<ConditionalUse>& some, const std::vector<ConditionalUse>& others) {
+  return std::ranges::equal(some, others, [](const ConditionalUse& one, const ConditionalUse& other) {
+    return std::ranges::equal(one.conditions, other.conditions, is_same);
+  });
 }
 
-bool have_one_text(const std::vector<Condition>& some, const std::vector<Condition>& others) {
-  return std::ranges::equal(some, others, {}, &Condition::text, &Condition::text);
-}
-
-// Conditions that all analyses have are those of the field; others hold beside those of the field.
-void join_ways(Use& use) {
-  if (use.ways.empty()) return;
-  const std::vector<Condition> first = use.ways.front().conditions;
-  const bool shared = use.by == 0 && std::ranges::all_of(use.ways, [&](const Way& way) {
-                        return have_one_text(way.conditions, first);
-                      });
-  if (shared) {
-    for (const Way& way : use.ways) use.by |= way.by;
-    use.ways.clear();
-    use.conditions.insert(use.conditions.end(), first.begin(), first.end());
+/// Collects the uses of one field by the analyses of its model.
+class UsesOfField {
+ public:
+  void add(use::Analysis analysis, const std::vector<ConditionalUse>& uses) {
+    Conditional found{analysis, {}};
+    for (const ConditionalUse& use : uses)
+      (use.beside_row ? beside_ : found.uses).push_back(use), analyses_beside_.push_back(analysis);
+    if (found.uses.empty())
+      always_ |= analysis;
+    else
+      conditional_.push_back(std::move(found));
   }
-  for (Way& way : use.ways)
-    way.conditions.insert(way.conditions.end(), use.conditions.begin(), use.conditions.end());
+  void add_not_modelled(use::Analysis analysis) { not_modelled_ |= analysis; }
+  void add_refused(use::Analysis analysis) { refused_ |= analysis; }
+
+  /// `row` has the condition of the field's row.
+  Use joined(const Use& row) const {
+    Use use(always_, not_modelled_, refused_);
+    use.conditions = row.conditions;
+    if (have_shared_conditions())
+      put_shared(use);
+    else
+      for (const Conditional& one : conditional_) put_ways(one, 0, row.conditions, use);
+    for (std::size_t i = 0; i < beside_.size(); ++i)
+      use.ways.push_back({analyses_beside_[i], beside_[i].conditions});
+    return use;
+  }
+
+ private:
+  struct Conditional {
+    use::Analysis analysis;
+    std::vector<ConditionalUse> uses;
+  };
+
+  // Conditions that all analyses have are those of the field.
+  bool have_shared_conditions() const {
+    return always_ == 0 && !conditional_.empty() &&
+           std::ranges::all_of(conditional_, [&](const Conditional& one) {
+             return !one.uses.front().not_modelled && are_same(one.uses, conditional_.front().uses);
+           });
+  }
+
+  void put_shared(Use& use) const {
+    const std::vector<Condition> row = use.conditions;
+    const std::vector<Condition>& first = conditional_.front().uses.front().conditions;
+    use.conditions.insert(use.conditions.end(), first.begin(), first.end());
+    for (const Conditional& one : conditional_) {
+      use.by |= one.analysis;
+      put_ways(one, 1, row, use);
+    }
+  }
+
+  static void put_ways(const Conditional& one, std::size_t from, const std::vector<Condition>& row,
+                       Use& use) {
+    for (std::size_t i = from; i < one.uses.size(); ++i) {
+      Way way{one.analysis, one.uses[i].conditions};
+      way.conditions.insert(way.conditions.end(), row.begin(), row.end());
+      use.ways.push_back(std::move(way));
+      if (one.uses[i].not_modelled) use.not_modelled_by |= one.analysis;
+    }
+  }
+
+  unsigned always_ = 0, not_modelled_ = 0, refused_ = 0;
+  std::vector<Conditional> conditional_;
+  std::vector<ConditionalUse> beside_;
+  std::vector<use::Analysis> analyses_beside_;
+};
+
+/// What the analyses of one model take.
+struct UsesOfModel {
+  unsigned all = 0, rated = 0;  // all of them, and those with lives
+  std::map<std::string, UsesOfField> by_path;
+};
+
+template <class Inputs>
+std::vector<std::string> refused_of() {
+  if constexpr (requires { Inputs::refused(); })
+    return Inputs::refused();
+  else
+    return {};
+}
+
+bool contains(const std::vector<std::string>& paths, const std::string& path) {
+  return std::ranges::find(paths, path) != paths.end();
+}
+
+template <class Row>
+void add_uses(std::size_t number, const std::vector<std::string>& paths, UsesOfModel& uses) {
+  const use::Analysis analysis = use_of_machine_analysis(number);
+  const std::vector<std::string> taken = paths_of<InputsOfRow<Row>>(),
+                                 refused = refused_of<InputsOfRow<Row>>();
+  uses.all |= analysis;
+  if (is_rated<ResultOfRow<Row>>) uses.rated |= analysis;
+  for (const std::string& path : paths) {
+    UsesOfField& of_field = uses.by_path[path];
+    if (contains(refused, path))
+      of_field.add_refused(analysis);
+    else if (contains(taken, path))
+      of_field.add(analysis, conditional_uses(path, number));
+    else
+      of_field.add_not_modelled(analysis);
+  }
+}
+
+UsesOfModel uses_of(Model model, const MachineFields& of_machine) {
+  std::vector<std::string> paths;
+  for (const std::vector<Field>* fields : {&of_machine.fields, &of_machine.holders})
+    std::ranges::transform(*fields, std::back_inserter(paths), &Field::path);
+  UsesOfModel uses;
+  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
+    if (Row::model == model) add_uses<Row>(number, paths, uses);
+  });
+  return uses;
+}
+
+// Inputs of app/case, by the uses of the members that they state.
+void add_inputs_of(const Field& holder, const UsesOfModel& uses, std::vector<Field>& fields) {
+  const unsigned model = holder.models;
+  if (holder.path == table::profile_member)
+    table::add_profile_fields(fields, model, {holder.use, holder.use, holder.use, holder.use, uses.all});
+  if (holder.path != table::oil_member) return;
+  table::add_grade_fields(fields, model, holder.use);
+  for (const char* path :
+       {"lubricant.viscosity", "lubricant.pressure_viscosity", "lubricant.kinematic_viscosity"})
+    if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent("lubricant.grade"));
+}
+
+std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
+  const UsesOfModel uses = uses_of(model, of_machine);
+  for (std::vector<Field>* fields : {&of_machine.fields, &of_machine.holders})
+    for (Field& field : *fields) field.use = uses.by_path.at(field.path).joined(field.use);
+  std::vector<Field>& fields = of_machine.fields;
+  for (const Field& holder : of_machine.holders) add_inputs_of(holder, uses, fields);
+  table::add_case_fields(fields, model, Use(uses.all, 0));
+  table::add_bearing_type(fields, model, Use(uses.all, 0));
+  if (uses.rated != 0) table::add_requirements(fields, model, Use(uses.rated, uses.all & ~uses.rated));
+  table::add_catalogue_fields(fields, model, uses.all);
+  return std::move(of_machine.fields);
 }
 
 std::map<Model, std::vector<Field>> fields_by_model() {
@@ -44,18 +171,8 @@ std::map<Model, std::vector<Field>> fields_by_model() {
     MachineFields visit(Row::model);
     typename Row::Type machine{};
     describe(visit, machine);
-    all[Row::model] = std::move(visit.fields);
+    all[Row::model] = fields_of_row(Row::model, std::move(visit));
   });
-  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    const std::vector<std::string> taken = paths_of<InputsOfRow<Row>>();
-    for (Field& field : all.at(Row::model))
-      if (std::ranges::find(taken, field.path) == taken.end())
-        field.use.not_modelled_by |= use_of_machine_analysis(number);
-      else
-        add_use(field.use, use_of_machine_analysis(number), conditions_on(field.path, number));
-  });
-  for (auto& [model, fields] : all)
-    for (Field& field : fields) join_ways(field.use);
   return all;
 }
 
@@ -64,27 +181,19 @@ const std::map<Model, std::vector<Field>>& all_machine_fields() {
   return all;
 }
 
-// Uses under a condition of the machine are ways of the field, whose own conditions are those of others.
-void merge(const Use& of_machine, Use& use) {
-  unsigned taken = of_machine.by;
-  if (of_machine.conditions.empty())
-    use.by |= of_machine.by;
-  else
-    use.ways.push_back({of_machine.by, of_machine.conditions});
-  for (const Way& way : of_machine.ways) {
-    use.ways.push_back(way);
-    taken |= way.by;
-  }
-  use.not_modelled_by = (use.not_modelled_by & ~taken) | of_machine.not_modelled_by;
+bool state_the_same(const Field& one, const Field& other) {
+  return one.kind == other.kind && one.meaning == other.meaning && one.default_text == other.default_text &&
+         one.default_reason == other.default_reason && one.dimension.name == other.dimension.name &&
+         one.range.least == other.range.least && one.range.most == other.range.most &&
+         one.numerical == other.numerical && std::ranges::is_permutation(one.choices, other.choices);
 }
 
 void merge(const Field& of_machine, Field& field) {
-  if (field.default_text != of_machine.default_text)
-    throw std::logic_error(fmt::format("'{}' has two defaults: '{}' and '{}'", field.path, field.default_text,
-                                       of_machine.default_text));
+  if (!state_the_same(of_machine, field))
+    throw std::logic_error(fmt::format("two rows of '{}' differ: '{}' and '{}'", field.path,
+                                       field.default_text, of_machine.default_text));
   field.models |= of_machine.models;
   field.required_by |= of_machine.required_by;
-  merge(of_machine.use, field.use);
 }
 
 }  // namespace
@@ -97,12 +206,13 @@ const std::vector<Field>& fields_of_machine(Model model) {
 
 void add_machine_fields(std::vector<Field>& fields) {
   Machines::each([&]<class Row>(Row, std::size_t) {
-    for (const Field& field : fields_of_machine(Row::model)) {
-      const auto same = std::ranges::find(fields, field.path, &Field::path);
+    for (const Field& of_machine : fields_of_machine(Row::model)) {
+      auto same = std::ranges::find(fields, of_machine.path, &Field::path);
       if (same == fields.end())
-        fields.push_back(field);
+        same = fields.insert(fields.end(), of_machine);
       else
-        merge(field, *same);
+        merge(of_machine, *same);
+      same->of_machines.emplace_back(Row::model, of_machine.use);
     }
   });
 }

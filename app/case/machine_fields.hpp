@@ -55,6 +55,13 @@ class ColumnsOfRows {
   std::vector<ListColumn> columns{};
 };
 
+/// Members that a case states by several inputs, which are those of app/case.
+template <class T>
+inline constexpr bool is_stated_by_others =
+    std::is_same_v<T, bearing::profile::Profile> || std::is_same_v<T, bearing::Lubricant> ||
+    std::is_same_v<T, std::optional<bearing::OilGrade>> ||
+    std::is_same_v<T, std::optional<bearing::friction::BearingSize>>;
+
 /// A visitor of the rows of a machine: its fields, which nothing uses yet.
 class MachineFields {
  public:
@@ -62,21 +69,10 @@ class MachineFields {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    Field& field = add(facts);
-    if constexpr (is_list_of_parts<Member>) {
-      field.kind = field.element = Kind::list;
-      ColumnsOfRows visit;
-      typename Member::value_type part{};
-      describe(visit, part);
-      field.columns = std::move(visit.columns);
-    } else {
-      DescribedFields::set_kind(field, member, facts.details);
-    }
-    field.count = stated_count<Member>;
-    if (facts.details.reason.empty()) field.default_text.clear();
-    const bool required = facts.details.reason.empty() && !may_be_left_out<Member>;
-    (alternatives_.empty() ? field.required_by : unused_) = required ? unsigned{model_} : 0u;
-    field.required_if_chosen = required && !alternatives_.empty();
+    if constexpr (is_stated_by_others<Member>)
+      add_once(facts);
+    else
+      add_field(member, facts);
   }
 
   template <class Self, class Variant>
@@ -98,7 +94,40 @@ class MachineFields {
 
   std::vector<Field> fields{};
 
+  std::vector<Field> holders{};  // of members that other inputs state
+
  private:
+  template <class Member>
+  void add_field(Member& member, const described::Facts& facts) {
+    Field& field = add(facts);
+    if constexpr (is_list_of_parts<Member>) {
+      field.kind = field.element = Kind::list;
+      ColumnsOfRows visit;
+      typename Member::value_type part{};
+      describe(visit, part);
+      field.columns = std::move(visit.columns);
+    } else {
+      DescribedFields::set_kind(field, member, facts.details);
+    }
+    field.count = stated_count<Member>;
+    if (facts.details.reason.empty()) field.default_text.clear();
+    const bool required = is_required<Member>(facts.details);
+    (alternatives_.empty() ? field.required_by : unused_) = required ? unsigned{model_} : 0u;
+    field.required_if_chosen = required && !alternatives_.empty();
+  }
+
+  // Rows that other models share say which models require them.
+  template <class Member>
+  bool is_required(const described::Details& details) const {
+    if (details.models != no_model) return (details.required_by & model_) != 0;
+    return details.reason.empty() && !may_be_left_out<Member>;
+  }
+
+  void add_once(const described::Facts& facts) {
+    if (std::ranges::find(holders, facts.path, &Field::path) == holders.end())
+      holders.push_back({.path = facts.path, .use = Use(0, 0), .models = unsigned{model_}});
+  }
+
   Field& add(const described::Facts& facts) {
     const described::Details& details = facts.details;
     fields.push_back({.path = facts.path,
@@ -129,6 +158,18 @@ class MachineFields {
   unsigned unused_ = 0;
 };
 
+/// One row of a structure as a field of other models.
+template <class Struct>
+Field field_of_row(std::string_view path, unsigned models, const Use& use) {
+  MachineFields visit(no_model);
+  Struct structure{};
+  describe(visit, structure);
+  Field field = *std::ranges::find(visit.fields, path, &Field::path);
+  field.models = models;
+  field.use = use;
+  return field;
+}
+
 /// A visitor that collects the paths of a structure, those of all alternatives.
 class PathsOfInputs {
  public:
@@ -156,15 +197,22 @@ std::vector<std::string> paths_of() {
   return std::move(visit.paths);
 }
 
-/// Conditions under which an input has an effect on the analysis of that number, from the type that it takes
-/// (machine_conditions.cpp).
-std::vector<Condition> conditions_on(std::string_view path, std::size_t analysis);
+/// Conditions of one use of an input, which must all hold.
+struct ConditionalUse {
+  std::vector<Condition> conditions;
+  bool not_modelled = false;  // where they do not
+  bool beside_row = false;    // as well as the use under the condition of its row
+};
 
-/// Fields of the machine of that model; empty where its cases are no type.
+/// Conditional uses of the member at that path by the analysis of that number, from the type that it takes
+/// (machine_conditions.cpp). None: it is always used.
+std::vector<ConditionalUse> conditional_uses(std::string_view path, std::size_t analysis);
+
+/// Fields of the machine of that model, with their uses; empty where its cases are no type.
 const std::vector<Field>& fields_of_machine(Model model);
 
-/// Adds the fields of all machines, with the analyses that use them. A field that another model has as well
-/// is the same field. Throws std::logic_error where two rows of one path have different defaults.
+/// Adds the fields of all machines. A field that another model has as well is the same field, with the uses
+/// of the machine beside its own. Throws std::logic_error where two rows of one path differ.
 void add_machine_fields(std::vector<Field>& fields);
 
 }  // namespace orbearing::app

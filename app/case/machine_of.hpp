@@ -43,6 +43,7 @@ class MachineFromCase {
   void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
     if (in_.has(facts.path)) member = graded_oil(in_);
   }
+  void operator()(bearing::Lubricant& member, const described::Facts&) { member = graded_lubricant(in_); }
   void operator()(std::optional<bearing::friction::BearingSize>& member, const described::Facts&) {
     member = size_of(in_);
   }

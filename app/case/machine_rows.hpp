@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "app/case/field_use.hpp"
+#include "coupling/analysis/ball_run.hpp"
+#include "coupling/analysis/bearing_stiffness.hpp"
+#include "coupling/analysis/bearing_under_load.hpp"
 #include "coupling/analysis/contact_film.hpp"
 #include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
@@ -23,6 +27,12 @@ inline constexpr double of_films = 1e-8;   // of the Reynolds solver's iteration
 inline constexpr double in_motion = 3e-3;  // lives from another start (docs/sensitivities.md)
 }  // namespace scatter
 
+/// How a line of progress begins, and of how many parts it counts.
+struct ProgressLine {
+  const char* doing;
+  std::size_t parts;
+};
+
 /// How a result is named.
 struct ResultNames {
   const char* name;                 // in the manifest
@@ -30,23 +40,58 @@ struct ResultNames {
   const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
 };
 
+/// Calls `call` with each row, and its number.
+template <class... Rows>
+struct RowsOf {
+  template <class Call>
+  static void each(const Call& call) {
+    std::size_t number = 0;
+    (call(Rows{}, number++), ...);
+  }
+};
+/// File of a result folder that holds what `run --json` prints of a ball bearing in time.
+inline constexpr const char* ball_file_name = "ball.json";
+
 namespace machine_rows {
 
 using described::Model;
 
 struct PairOfGears {
   using Type = analysis::PairOfGears;
+  using Checked = RowsOf<Type>;  // each by its `problems`, where all of its required inputs are there
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view prefix = "pair.";  // of what `check` derives
 };
 struct DuplexPair {
   using Type = analysis::DuplexPair;
+  using Checked = RowsOf<Type>;
   static constexpr Model model = described::duplex_pair;
   static constexpr std::string_view prefix = "pair.";
 };
 struct SpinFilm {
   using Type = analysis::SpinFilm;
+  using Checked = RowsOf<Type>;
   static constexpr Model model = described::spin_film;
+  static constexpr std::string_view prefix = "";
+};
+struct RollerBearing {
+  using Type = analysis::RollerBearing;
+  using Checked = RowsOf<analysis::RollersUnderLoad, analysis::LoadOnRollers, analysis::ViscosityRatio,
+                         analysis::OilOfLife>;
+  static constexpr Model model = described::roller_bearing;
+  static constexpr std::string_view prefix = "";
+};
+struct BallBearing {
+  using Type = analysis::BallBearing;
+  using Checked = RowsOf<analysis::LoadOnRing, analysis::ViscosityRatio, analysis::OilOfLife>;
+  static constexpr Model model = described::ball_bearing;
+  static constexpr std::string_view prefix = "";
+};
+struct BallsInTime {
+  using Type = analysis::BallsInTime;
+  using Checked =
+      RowsOf<analysis::BallsInTime, analysis::LoadOnRing, analysis::ViscosityRatio, analysis::OilOfLife>;
+  static constexpr Model model = described::ball_motion;
   static constexpr std::string_view prefix = "";
 };
 
@@ -55,7 +100,6 @@ struct MeshesOfPair {
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view command = "mesh";
   static constexpr const char* name = "mesh";        // for users, among those that use an input
-  static constexpr const char* other_fidelity = "";  // required instead of another --fidelity
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
   static constexpr double scatter = app::scatter::at_rest;
 };
@@ -64,7 +108,6 @@ struct DuplexModes {
   static constexpr Model model = described::duplex_pair;
   static constexpr std::string_view command = "modes";
   static constexpr const char* name = "modes of a duplex pair";
-  static constexpr const char* other_fidelity = "";
   static constexpr ResultNames names{"modes", "modes of a shaft on a duplex pair"};
   static constexpr double scatter = app::scatter::of_balls;
 };
@@ -73,7 +116,7 @@ struct DuplexRun {
   static constexpr Model model = described::duplex_pair;
   static constexpr std::string_view command = "run";
   static constexpr const char* name = "run of a duplex pair";
-  static constexpr const char* other_fidelity =
+  static constexpr const char* other_fidelity =  // required instead of another --fidelity
       "none for the model duplex-pair, which is in static equilibrium";
   static constexpr ResultNames names{"duplex", "shaft on a duplex pair", "duplex.json"};
   static constexpr double scatter = app::scatter::of_balls;
@@ -88,32 +131,86 @@ struct FilmOfContact {
   static constexpr double scatter = app::scatter::of_films;
 };
 
+
+struct SingleBearingAtRest {
+  static constexpr std::string_view command = "run";
+  static constexpr const char* name = "run of a single bearing";
+  static constexpr const char* other_fidelity = "quasi-static for a single bearing under a static load";
+  static constexpr ResultNames names{"static", "bearing under a static load"};
+};
+struct RollersUnderLoad : SingleBearingAtRest {
+  static constexpr auto analyse = analysis::rollers_under_load;
+  static constexpr Model model = described::roller_bearing;
+  static constexpr double scatter = app::scatter::at_rest;
+};
+struct BallsUnderLoad : SingleBearingAtRest {
+  static constexpr auto analyse = analysis::balls_under_load;
+  static constexpr Model model = described::ball_bearing;
+  static constexpr double scatter = app::scatter::of_balls;
+};
+struct RunOfBalls {
+  static constexpr auto analyse = analysis::run_of_balls;
+  static constexpr Model model = described::ball_motion;
+  static constexpr std::string_view command = "run";
+  static constexpr const char* name = "run of a ball bearing in time";
+  static constexpr const char* other_fidelity =
+      "dynamic for a ball bearing in time, or a case without the block simulation";
+  static constexpr ResultNames names{"dynamic", "ball bearing in time", ball_file_name};
+  static constexpr double scatter = app::scatter::in_motion;
+  static constexpr ProgressLine progress{"time, in thousandths: ", 1000};
+  static double simulated(const analysis::BallsInTime& in) { return in.simulation.options.duration; }
+};
+struct StiffnessOfSingleBearing {
+  static constexpr std::string_view command = "stiffness";
+  static constexpr const char* name = "stiffness of a single bearing";
+  static constexpr ResultNames names{"stiffness", "stiffness"};
+};
+struct StiffnessOfRollers : StiffnessOfSingleBearing {
+  static constexpr auto analyse = analysis::stiffness_of_rollers;
+  static constexpr Model model = described::roller_bearing;
+  static constexpr double scatter = app::scatter::at_rest;
+};
+struct StiffnessOfBalls : StiffnessOfSingleBearing {
+  static constexpr auto analyse = analysis::stiffness_of_balls;
+  static constexpr Model model = described::ball_bearing;
+  static constexpr double scatter = app::scatter::of_balls;
+};
+
 }  // namespace machine_rows
 
-/// Calls `call` with each row, and its number.
-template <class... Rows>
-struct RowsOf {
-  template <class Call>
-  static void each(const Call& call) {
-    std::size_t number = 0;
-    (call(Rows{}, number++), ...);
-  }
-};
-using Machines = RowsOf<machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
-using MachineAnalyses = RowsOf<machine_rows::MeshesOfPair, machine_rows::DuplexModes, machine_rows::DuplexRun,
-                               machine_rows::FilmOfContact>;
+using Machines =
+    RowsOf<machine_rows::RollerBearing, machine_rows::BallBearing, machine_rows::BallsInTime,
+           machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
+using MachineAnalyses =
+    RowsOf<machine_rows::RollersUnderLoad, machine_rows::BallsUnderLoad, machine_rows::RunOfBalls,
+           machine_rows::StiffnessOfRollers, machine_rows::StiffnessOfBalls, machine_rows::MeshesOfPair,
+           machine_rows::DuplexModes, machine_rows::DuplexRun, machine_rows::FilmOfContact>;
 
-/// Type of the inputs of a library function.
+/// Gets the share of a motion that is done [-].
+using ShareDone = std::function<void(double)>;
+
+/// Types of the inputs and of the result of a library function.
 template <class Function>
 struct InputsOf;
-template <class Result, class Inputs>
-struct InputsOf<Result (*)(const Inputs&)> {
+template <class Output, class Inputs>
+struct InputsOf<Output (*)(const Inputs&)> {
   using Type = Inputs;
+  using Result = Output;
 };
+template <class Output, class Inputs>
+struct InputsOf<Output (*)(const Inputs&, const ShareDone&)> : InputsOf<Output (*)(const Inputs&)> {};
 
 /// The same of a row of MachineAnalyses.
 template <class Row>
 using InputsOfRow = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Type;
+template <class Row>
+using ResultOfRow = typename InputsOf<std::decay_t<decltype(Row::analyse)>>::Result;
+
+/// Results that limits of lives, pressures and safety apply to.
+template <class Result>
+inline constexpr bool is_rated = requires(const Result& result) {
+  result.life_table();
+};
 
 /// The bit of the analysis of that number among those of all.
 constexpr use::Analysis use_of_machine_analysis(std::size_t number) {

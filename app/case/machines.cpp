@@ -3,32 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "app/case/alternatives.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_of.hpp"
+#include "app/case/oil_case.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 template <class Row>
-AnalysisResult computed(const ResolvedCase& in, const AnalysisOptions&) {
-  using Inputs = InputsOfRow<Row>;
-  const auto found = computed_for(in, [&] { return Row::analyse(machine_of<Inputs>(in)); });
+auto found_for(const ResolvedCase& in, const AnalysisOptions& options) {
+  const auto inputs = machine_of<InputsOfRow<Row>>(in);
+  if constexpr (std::is_invocable_v<decltype(Row::analyse), decltype(inputs), const ShareDone&>)
+    return Row::analyse(inputs, options.progress);
+  else
+    return Row::analyse(inputs);
+}
+
+template <class Row>
+AnalysisResult computed(const ResolvedCase& in, const AnalysisOptions& options) {
+  const auto found = result_for(in, [&] { return found_for<Row>(in, options); });
   AnalysisResult result;
   describe(result.record, found);
   result.warnings = found.warnings;
   if constexpr (requires { found.failed(); }) result.failed = found.failed();
+  if constexpr (is_rated<ResultOfRow<Row>>) result.lives = found.life_table();
   return result;
+}
+
+template <class Row>
+MachineAnalysis values_of(std::size_t number) {
+  MachineAnalysis row{.model = Row::model,
+                      .command = Row::command,
+                      .used = use_of_machine_analysis(number),
+                      .other_fidelity = "",
+                      .names = Row::names,
+                      .scatter = Row::scatter,
+                      .compute = computed<Row>,
+                      .simulated = nullptr};
+  if constexpr (requires { Row::other_fidelity; }) row.other_fidelity = Row::other_fidelity;
+  if constexpr (requires { Row::simulated; }) {
+    row.in_time = true;
+    row.progress = Row::progress;
+    row.simulated = [](const ResolvedCase& in) { return Row::simulated(machine_of<InputsOfRow<Row>>(in)); };
+  }
+  return row;
 }
 
 std::vector<MachineAnalysis> rows_of_analyses() {
   std::vector<MachineAnalysis> rows;
-  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    rows.push_back({Row::model, Row::command, use_of_machine_analysis(number), Row::other_fidelity,
-                    Row::names, Row::scatter, computed<Row>});
-  });
+  MachineAnalyses::each(
+      [&]<class Row>(Row, std::size_t number) { rows.push_back(values_of<Row>(number)); });
   return rows;
 }
 
@@ -48,43 +76,56 @@ const MachineAnalysis* machine_analysis(Model model, std::string_view command) {
 
 namespace {
 
-bool is_whole(CheckedCase& in) {
-  bool whole = true;
+bool is_required(const ResolvedCase& in, const Field& field) {
+  return (field.required_by & in.model()) != 0 || (field.required_if_chosen && is_chosen(in.data(), field));
+}
+
+bool has_length(const ResolvedCase& in, const Field& field) {
+  return field.count == 0 || !in.has(field.path) || in.list(field.path).size() == field.count;
+}
+
+// Of a list that is shorter or longer than its member, and of a chosen alternative without an input.
+void check_form(CheckedCase& in) {
   for (const Field& field : fields_of_machine(in.model())) {
-    const bool required =
-        (field.required_by & in.model()) != 0 || (field.required_if_chosen && is_chosen(in.data(), field));
-    whole = whole && (!required || in.has(field.path));
-    if (required && field.required_if_chosen && !in.has(field.path) &&
+    if (is_required(in, field) && field.required_if_chosen && !in.has(field.path) &&
         std::ranges::find(in.mistakes, field.path, &Mistake::path) == in.mistakes.end()) {
       const std::string others = inputs_of_others(field, field.alternatives.back());
       in.add_error_at(
           field.path, "missing",
           requirement(field) + " is required" + (others.empty() ? "" : ", or " + others + " instead"));
     }
-    if (field.count == 0 || !in.has(field.path) || in.list(field.path).size() == field.count) continue;
-    in.add_error_at(field.path, fmt::format("a list of {}", in.list(field.path).size()),
-                    fmt::format("{} values are required", field.count));
-    whole = false;
+    if (!has_length(in, field))
+      in.add_error_at(field.path, fmt::format("a list of {}", in.list(field.path).size()),
+                      fmt::format("{} values are required", field.count));
   }
-  return whole;
 }
 
-mechanics::Problems problems_of(const ResolvedCase& in) {
-  mechanics::Problems found;
-  Machines::each([&]<class Row>(Row, std::size_t) {
-    if (in.model() == Row::model) found = problems(machine_of<typename Row::Type>(in));
+// Whether the case has all that the structure requires.
+template <class Part>
+bool is_whole(const ResolvedCase& in) {
+  const std::vector<std::string> paths = paths_of<Part>();
+  return std::ranges::all_of(fields_of_machine(in.model()), [&](const Field& field) {
+    return std::ranges::find(paths, field.path) == paths.end() ||
+           ((!is_required(in, field) || in.has(field.path)) && has_length(in, field));
   });
-  return found;
+}
+
+template <class Row>
+void check_parts(CheckedCase& in) {
+  Row::Checked::each([&]<class Part>(Part, std::size_t) {
+    if (!is_whole<Part>(in)) return;
+    for (const mechanics::Problem& problem : problems(machine_of<Part>(in)))
+      in.add_error(stated_path(in, problem.key), problem.text);
+  });
 }
 
 }  // namespace
 
 void check_machine(CheckedCase& in) {
-  if (!is_whole(in)) return;
-  for (const mechanics::Problem& problem : problems_of(in)) {
-    const auto split = problem.text.find("; ");  // found; required
-    in.add_error_at(problem.key, problem.text.substr(0, split), problem.text.substr(split + 2));
-  }
+  check_form(in);
+  Machines::each([&]<class Row>(Row, std::size_t) {
+    if (in.model() == Row::model) check_parts<Row>(in);
+  });
 }
 
 namespace {
@@ -108,17 +149,19 @@ std::vector<Derived> derived_rows(const described::Record& record, const std::st
   return rows;
 }
 
-std::vector<Derived> machine_quantities(const ResolvedCase& in) {
-  std::vector<Derived> rows;
+MachineQuantities machine_quantities(const ResolvedCase& in) {
+  MachineQuantities quantities;
   Machines::each([&]<class Row>(Row, std::size_t) {
     if constexpr (requires(const typename Row::Type& machine) { quantities_of(machine); })
       if (in.model() == Row::model) {
+        const auto found = quantities_of(machine_of<typename Row::Type>(in));
         described::Record record;
-        describe(record, quantities_of(machine_of<typename Row::Type>(in)));
-        rows = derived_rows(record, std::string(Row::prefix));
+        describe(record, found);
+        quantities.rows = derived_rows(record, std::string(Row::prefix));
+        if constexpr (requires { found.warnings; }) quantities.warnings = found.warnings;
       }
   });
-  return rows;
+  return quantities;
 }
 
 }  // namespace orbearing::app

@@ -1,7 +1,6 @@
 // Checks, results and analyses of machines whose cases are types, by their rows in machine_rows.hpp.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/case/machine_rows.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/errors.hpp"
+#include "mechanics/no_result.hpp"
 
 namespace orbearing::app {
 
@@ -18,10 +18,13 @@ struct MachineAnalysis {
   Model model;
   std::string_view command;
   use::Analysis used;
+  bool in_time = false;
   std::string other_fidelity;
   ResultNames names;
   double scatter;
+  ProgressLine progress{};  // null: it is done at once
   AnalysisResult (*compute)(const ResolvedCase&, const AnalysisOptions&);
+  double (*simulated)(const ResolvedCase&);  // [s]  time of the motion; null: none
 };
 const std::vector<MachineAnalysis>& machine_analyses();
 /// Analysis of a command; null where the model has none, or is not a machine.
@@ -29,10 +32,10 @@ const MachineAnalysis* machine_analysis(Model model, std::string_view command);
 
 /// Result of `compute`. Throws ComputationFailed with the name of the case where the library finds none.
 template <class Compute>
-auto computed_for(const ResolvedCase& in, const Compute& compute) {
+auto result_for(const ResolvedCase& in, const Compute& compute) {
   try {
     return compute();
-  } catch (const std::runtime_error& failure) {
+  } catch (const mechanics::NoResult& failure) {
     throw ComputationFailed(in.text("name") + ": " + failure.what());
   }
 }
@@ -42,7 +45,11 @@ void check_machine(CheckedCase& in);
 
 /// The numbers of a record as derived quantities, whose paths begin with `prefix`.
 std::vector<Derived> derived_rows(const described::Record& record, const std::string& prefix = "");
-/// Quantities derived from the inputs of a machine.
-std::vector<Derived> machine_quantities(const ResolvedCase& in);
+/// Quantities derived from the inputs of a machine, and warnings of them.
+struct MachineQuantities {
+  std::vector<Derived> rows{};
+  std::vector<std::string> warnings{};
+};
+MachineQuantities machine_quantities(const ResolvedCase& in);
 
 }  // namespace orbearing::app

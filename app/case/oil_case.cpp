@@ -147,6 +147,10 @@ void fill_from_grade(CaseData& data, Model model) {
   }
 }
 
+std::string stated_path(const ResolvedCase& in, const std::string& path) {
+  return path == kGrade && in.has(kAt40) ? kAt40 : path;
+}
+
 void check_grade(CheckedCase& in) {
   if (in.has(kAt100) && !in.has(kAt40))
     return in.add_error_at(kAt100, "a viscosity at 100 degC without that at 40 degC",

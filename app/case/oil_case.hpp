@@ -48,6 +48,9 @@ double graded_viscosity_slope(const ResolvedCase& resolved);
 /// ones, which then have no effect.
 void fill_from_grade(CaseData& data, Model model);
 
+/// The input that the case states for the one at `path`: its viscosity at 40 degC for a grade.
+std::string stated_path(const ResolvedCase& resolved, const std::string& path);
+
 /// Mistakes in the grade and the viscosities of an oil.
 void check_grade(CheckedCase& resolved);
 

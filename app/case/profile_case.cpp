@@ -130,9 +130,7 @@ void check_profile(CheckedCase& in) {
   try {
     roller_profile_of(in);
   } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    const auto split = text.find("; ");  // found; required
-    in.add_error_at(kKind, text.substr(0, split), text.substr(split + 2));
+    in.add_error(kKind, error.what());
   }
 }
 

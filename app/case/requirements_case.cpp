@@ -8,7 +8,6 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr unsigned kJudgedBy = use::quasi_static | use::in_time | use::static_load | use::ball_run;
 constexpr unsigned kRated = roller_bearing | single_ball_bearing | planetary_drivetrain;
 constexpr const char* kLifePath = "requirements.life";
 constexpr const char* kLifeKeyPath = "requirements.life_key";
@@ -52,13 +51,13 @@ bool requirements_choose_the_life(const ResolvedCase& in, std::string_view) {
 
 }  // namespace
 
-void table::add_requirements(std::vector<Field>& fields) {
-  const Use use(kJudgedBy, use::all & ~kJudgedBy);
+void table::add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, unsigned crown) {
   for (const RequirementRow& row : kRequirementRows) {
-    Rows rows(fields, row.models);
+    if ((row.models & models) == 0) continue;
+    Rows rows(fields, row.models & models);
     // A stated requirement selects the life that a crown optimizes, where no other input does.
-    const Use limit = use.used_too(use::crown, {where_true(requirements_choose_the_life,
-                                                           "where neither life.method nor C is stated")});
+    const Use limit = use.used_too(crown, {where_true(requirements_choose_the_life,
+                                                      "where neither life.method nor C is stated")});
     if (row.dimension.name.empty())
       rows.number(requirement_path(row), row.meaning, limit, positive(1e9));
     else

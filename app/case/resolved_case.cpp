@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/case/field_table.hpp"
+#include "mechanics/problem.hpp"
 
 namespace orbearing::app {
 
@@ -132,6 +133,11 @@ Location location_for(const ResolvedCase& in, const std::string& path) {
 }
 
 }  // namespace
+
+void CheckedCase::add_error(const std::string& path, const std::string& text) {
+  auto [found, required] = mechanics::found_and_required(text);
+  add_error_at(path, std::move(found), std::move(required));
+}
 
 void CheckedCase::add_error_at(const std::string& path, std::string found, std::string required) {
   mistakes.push_back({location_for(*this, path), path, {std::move(found), std::move(required)}});

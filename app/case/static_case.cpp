@@ -12,16 +12,6 @@ std::optional<double> stated(const ResolvedCase& in, const char* path) {
   return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
 }
 
-// The result of an analysis; its failure with the name of the case.
-template <class Analyse>
-auto result_of(const ResolvedCase& in, const Analyse& analyse) {
-  try {
-    return analyse();
-  } catch (const analysis::NoResult& error) {
-    throw ComputationFailed(in.text("name") + ": " + error.what());
-  }
-}
-
 }  // namespace
 
 bool is_static_bearing(const ResolvedCase& resolved) {
@@ -36,7 +26,7 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {
   if (!is_static_bearing(in))
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
                    "; required: roller-bearing or ball-bearing");
-  return result_of(in, [&] {
+  return result_for(in, [&] {
     return in.model() == roller_bearing
                ? analysis::rollers_under_load(machine_of<analysis::RollersUnderLoad>(in))
                : analysis::balls_under_load(machine_of<analysis::BallsUnderLoad>(in));
@@ -44,15 +34,8 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {
 }
 
 analysis::BallRun ball_run(const ResolvedCase& in, const std::function<void(double)>& progress) {
-  return result_of(in,
+  return result_for(in,
                    [&] { return analysis::run_of_balls(machine_of<analysis::BallsInTime>(in), progress); });
-}
-
-std::vector<Derived> static_quantities(const ResolvedCase& in) {
-  described::Record record;
-  describe(record, in.model() == roller_bearing ? quantities_of(machine_of<analysis::RollersUnderLoad>(in))
-                                                : quantities_of(machine_of<analysis::BallsUnderLoad>(in)));
-  return derived_rows(record);
 }
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {

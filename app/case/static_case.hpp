@@ -19,9 +19,6 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& resolved);
 /// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
 analysis::BallRun ball_run(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
 
-/// Quantities of a bearing under a static load that follow from its inputs, for `orbearing check`.
-std::vector<Derived> static_quantities(const ResolvedCase& resolved);
-
 /// Ratings that the case states instead of the standard's values.
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);
 

@@ -20,6 +20,10 @@ namespace orbearing::app {
 
 namespace {
 
+const Use& use_of(const ResolvedCase& in, const Input& input) {
+  return input.field->use_in(in.model());
+}
+
 bool all_zero(const FieldValue& value) {
   return value.number == 0.0 && value.texts.empty() &&
          std::all_of(value.list.begin(), value.list.end(), [](double one) { return one == 0.0; });
@@ -64,8 +68,8 @@ bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
 }
 
 // Conditions of the row are those of its ways too.
-bool is_of_row(const Input& input, const Condition& condition) {
-  const std::vector<Condition>& row = input.field->use.conditions;
+bool is_of_row(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  const std::vector<Condition>& row = use_of(in, input).conditions;
   return std::any_of(row.begin(), row.end(), [&](const Condition& one) {
     return one.paths == condition.paths && one.values == condition.values;
   });
@@ -82,7 +86,7 @@ bool holds(const ResolvedCase& in, const Input& input, const Condition& conditio
 }
 
 const Condition* first_unmet(const ResolvedCase& in, const Input& input) {
-  for (const Condition& condition : input.field->use.conditions)
+  for (const Condition& condition : use_of(in, input).conditions)
     if (!holds(in, input, condition)) return &condition;
   return nullptr;
 }
@@ -97,7 +101,7 @@ bool counts_itself(const ResolvedCase& in, const Input& input) {
 // The condition holds with another value that has an effect itself.
 bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.absent || condition.holds != nullptr) return holds(in, input, condition);
-  if (is_of_other_models(in, condition) && is_of_row(input, condition)) return true;
+  if (is_of_other_models(in, condition) && is_of_row(in, input, condition)) return true;
   return std::any_of(condition.paths.begin(), condition.paths.end(), [&](const std::string& path) {
     const std::string other = beside(input.path, path);
     if (!counts(in, other, condition.values)) return false;
@@ -106,7 +110,7 @@ bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& c
 }
 
 const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned analyses) {
-  for (const Way& way : input.field->use.ways)
+  for (const Way& way : use_of(in, input).ways)
     if ((way.by & analyses) != 0 &&
         std::all_of(way.conditions.begin(), way.conditions.end(),
                     [&](const Condition& condition) { return holds_beside(in, input, condition); }))
@@ -161,7 +165,7 @@ bool is_used_through_another(const ResolvedCase& in, const Input& input, use::An
   return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
     if (!through.holds(input.field->path) || !is_chosen(in, input, through)) return false;
     const Input by{beside(input.path, std::string(through.by)), find_field(through.by)};
-    return ((by.field->use.by & analysis) != 0 || way_that_holds(in, by, analysis) != nullptr) &&
+    return ((use_of(in, by).by & analysis) != 0 || way_that_holds(in, by, analysis) != nullptr) &&
            (through.also == nullptr || through.also(in, set_of(input.path)));
   });
 }
@@ -179,7 +183,7 @@ std::vector<std::string> values_for(const Field& field, const Condition& conditi
 }
 
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
-  if (condition.holds != nullptr) return condition.text;
+  if (!condition.text.empty()) return condition.text;
   std::vector<std::string> paths;
   for (const std::string& path : condition.paths)
     if ((find_field(path)->models & in.model()) != 0) paths.push_back(beside(input.path, path));
@@ -198,9 +202,9 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
 std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
   std::vector<std::string> texts;
   if (const Condition* unmet = first_unmet(in, input)) texts.push_back(condition_text(in, input, *unmet));
-  for (const Way& way : input.field->use.ways) {
+  for (const Way& way : use_of(in, input).ways) {
     const bool known = std::none_of(way.conditions.begin(), way.conditions.end(), [&](const Condition& one) {
-      return one.holds == nullptr && is_of_other_models(in, one) && !is_of_row(input, one);
+      return one.holds == nullptr && is_of_other_models(in, one) && !is_of_row(in, input, one);
     });
     if ((way.by & analyses) == 0 || !known) continue;
     std::vector<std::string> unmet;
@@ -230,14 +234,11 @@ bool is_behind_ratios(const ResolvedCase& in, const Input& input, use::Analysis 
 
 // Those that a case of this kind may have, as bits.
 unsigned analyses_that_fit(const ResolvedCase& resolved) {
-  unsigned allowed = use::single_bearing_equilibrium;
+  unsigned allowed = 0;
   const CaseShape& shape = resolved.shape();
-  if (resolved.model() == ball_motion) allowed = use::ball_run;
-  unsigned of_machine = 0;
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    if (Row::model == resolved.model()) of_machine |= use_of_machine_analysis(number);
+    if (Row::model == resolved.model()) allowed |= use_of_machine_analysis(number);
   });
-  if (of_machine != 0) allowed = of_machine;
   if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
   if (resolved.model() == roller_defect) allowed = use::defect;
   if (resolved.model() == planetary_drivetrain) {
@@ -289,7 +290,7 @@ bool may_be_used(const ResolvedCase& in, const Input& input, use::Analysis analy
   const auto may_hold = [&](const Condition& condition, bool holds_here) {
     return holds_here || is_varied(condition, input.path, varied);
   };
-  const Use& use = input.field->use;
+  const Use& use = use_of(in, input);
   if (use_status_in_row(in, input, analysis) == UseStatus::used &&
       std::ranges::all_of(use.conditions,
                           [&](const Condition& one) { return may_hold(one, holds(in, input, one)); }))
@@ -339,7 +340,7 @@ std::string required_instead(const Input& input) {
 }  // namespace
 
 UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
-  const Use& use = input.field->use;
+  const Use& use = use_of(resolved, input);
   if (is_behind_ratios(resolved, input, analysis)) return UseStatus::not_modelled;
   if (is_unknown_type(resolved, input, analysis)) return UseStatus::refused;
   if ((use.by & analysis) != 0) return UseStatus::used;

@@ -28,23 +28,22 @@ namespace orbearing::app {
 namespace {
 
 struct Checked {
-  std::vector<Derived> derived;
+  std::vector<Derived> derived{};
   std::vector<std::string> warnings{};
   bool has_power = false;  // a drivetrain whose members have speeds
 };
 
-// Warnings of the analysis of meshes, for models that have meshes.
-std::vector<std::string> mesh_warnings(const ResolvedCase& resolved) {
-  const MachineAnalysis* mesh = machine_analysis(resolved.model(), "mesh");
-  return mesh == nullptr ? std::vector<std::string>{} : mesh->compute(resolved.without_sweep(), {}).warnings;
-}
-
 Checked check(const ResolvedCase& resolved) {
   const Analysis* analysis = analysis_of(resolved);
-  if (!fields_of_machine(resolved.model()).empty())
-    return {or_reason(analysis != nullptr ? analysis->names.name : "",
-                      [&] { return machine_quantities(resolved); }),
-            mesh_warnings(resolved)};
+  if (!fields_of_machine(resolved.model()).empty()) {
+    Checked machine;
+    machine.derived = or_reason(analysis != nullptr ? analysis->names.name : "", [&] {
+      MachineQuantities found = machine_quantities(resolved);
+      machine.warnings = std::move(found.warnings);
+      return found.rows;
+    });
+    return machine;
+  }
   const std::vector<Derived> own =
       analysis != nullptr && analysis->derived != nullptr
           ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })

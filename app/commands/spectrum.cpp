@@ -67,13 +67,13 @@ void describe_series(Record& record, const BinnedRecords& binned) {
 }
 
 // Whether there is a case whose bearings have lives.
-bool is_rated(const SpectrumOptions& options) {
+bool has_case(const SpectrumOptions& options) {
   return !options.stated.file.empty() || options.stated.given;
 }
 
 // Rows for a case have a name that ends in .csv; beside a case, all else is a folder of results.
 bool keeps_rows(const SpectrumOptions& options) {
-  return !options.output.empty() && (!is_rated(options) || fs::path(options.output).extension() == ".csv");
+  return !options.output.empty() && (!has_case(options) || fs::path(options.output).extension() == ".csv");
 }
 
 void write_rows(const SpectrumOptions& options, const LoadSpectrum& spectrum) {
@@ -204,7 +204,7 @@ int present_lives(const RatedCase& rated, const BinnedRecords& binned, const Spe
 
 std::vector<std::string> problems(const SpectrumOptions& options) {
   std::vector<std::string> found;
-  if (options.output.empty() && !options.print.json && !is_rated(options))
+  if (options.output.empty() && !options.print.json && !has_case(options))
     found.emplace_back("--output: missing; required: a file for the rows, or --json to print them alone");
   if (options.resume && (options.output.empty() || keeps_rows(options)))
     found.emplace_back("--resume: found without a folder; required: -o DIR, the folder to continue");
@@ -216,7 +216,7 @@ std::vector<std::string> problems(const SpectrumOptions& options) {
 int execute(const SpectrumOptions& options) {
   parse_bins(options.bins);
   std::optional<RatedCase> of_case;
-  if (is_rated(options)) of_case = rated_case(options.stated);
+  if (has_case(options)) of_case = rated_case(options.stated);
   BinnedRecords binned = read_records(options);
   put_bins(options, of_case ? exponent_of_case(of_case->resolved) : kLineExponent, binned);
   if (of_case)

@@ -17,14 +17,22 @@ std::vector<std::string> problems(const StiffnessOptions& options) {
   return problems(ResultPlace{options.output, options.resume}, options.print);
 }
 
+namespace {
+
+// Of a duplex pair modes have the same inputs. Models without stiffness are refused by the study.
+std::vector<std::string> unused_by_stiffness(const ResolvedCase& in) {
+  if (in.model() == planetary_drivetrain) return require_used(in, use::planet_stiffness, Axes::all);
+  for (const char* command : {"stiffness", "modes"})
+    if (const MachineAnalysis* machine = machine_analysis(in.model(), command))
+      return require_used(in, machine->used, Axes::all);
+  return {};
+}
+
+}  // namespace
+
 int execute(const StiffnessOptions& options) {
   const ResolvedCase resolved = case_of(options.stated);
-  // Of a machine, its modes have the same inputs.
-  const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes");
-  const use::Analysis used = modes != nullptr                           ? modes->used
-                             : resolved.model() == planetary_drivetrain ? use::planet_stiffness
-                                                                        : use::stiffness;
-  const std::vector<std::string> unused = require_used(resolved, used, Axes::all);
+  const std::vector<std::string> unused = unused_by_stiffness(resolved);
   const StiffnessStudy study = stiffness_study(resolved);
   const ResultPlace place{options.output, options.resume};
   const ResultNames names{"stiffness", "stiffness"};

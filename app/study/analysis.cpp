@@ -6,7 +6,6 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/machines.hpp"
-#include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/life_table.hpp"
 #include "app/results/verdicts.hpp"
@@ -37,24 +36,20 @@ AnalysisResult described_result(const Study& study) {
 }
 
 // Lives first, then how they meet the requirements.
-template <class Study>
-AnalysisResult rated_result(const ResolvedCase& in, const Study& study) {
-  AnalysisResult result = described_result(study);
-  const analysis::LifeTable table = study.life_table();
-  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(in), table.value);
+AnalysisResult rated(const ResolvedCase& in, AnalysisResult result) {
+  if (!result.lives) return result;
+  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(in), result.lives->value);
   describe_verdicts(result.record, verdicts);
-  result.heading = lives_text(table) + "\n" + verdicts_text(verdicts) + (verdicts.empty() ? "" : "\n");
+  result.heading =
+      lives_text(*result.lives) + "\n" + verdicts_text(verdicts) + (verdicts.empty() ? "" : "\n");
   return result;
 }
 
-AnalysisResult bearing_at_rest(const ResolvedCase& in, const AnalysisOptions&) {
-  AnalysisResult result = rated_result(in, bearing_under_load(in));
-  result.warnings = joined(rating_warnings(in), result.warnings);
+AnalysisResult result_of(const MachineAnalysis& machine, const ResolvedCase& in,
+                         const AnalysisOptions& options) {
+  AnalysisResult result = rated(in, machine.compute(in, options));
+  if (result.lives && !machine.in_time) result.warnings = joined(rating_warnings(in), result.warnings);
   return result;
-}
-
-AnalysisResult balls_in_time(const ResolvedCase& in, const AnalysisOptions& options) {
-  return rated_result(in, ball_run(in, options.progress));
 }
 
 AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const AnalysisOptions& options) {
@@ -93,10 +88,6 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const AnalysisOptions&
   return result;
 }
 
-double time_of_run(const ResolvedCase& in) {
-  return in.quantity("simulation.duration");
-}
-
 // Time of `turns` [-] at `speed` [rad/s]; a run-up begins at the share `run_up_from` of that speed.
 double time_of_turns(double turns, double speed, double run_up_from) {
   return constants::two_pi * turns / (0.5 * (1.0 + run_up_from) * std::abs(speed));
@@ -119,7 +110,6 @@ constexpr const char* ring_required =
     "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the "
     "bearing in "
     "motion";
-constexpr const char* at_rest_required = "quasi-static for a single bearing under a static load";
 constexpr const char* defect_title = "vibration of a bearing with scratches";
 constexpr const char* signal_progress = "signal, in hundredths: ";
 constexpr std::size_t hundredths = 100;
@@ -130,41 +120,21 @@ std::vector<Analysis> with_machines(std::vector<Analysis> table) {
       table.push_back({.used = one.used,
                        .is_of = nullptr,
                        .machine = one.model,
-                       .fidelities = {"quasi-static"},
+                       .fidelities = {one.in_time ? "dynamic" : "quasi-static"},
                        .required = one.other_fidelity,
                        .names = one.names,
                        .scatter = one.scatter,
-                       .compute = one.compute});
+                       .doing = one.progress.doing,
+                       .parts = one.progress.parts,
+                       .simulated = one.simulated,
+                       .compute = [&one](const ResolvedCase& in, const AnalysisOptions& options) {
+                         return result_of(one, in, options);
+                       }});
   return table;
 }
 
 const std::vector<Analysis>& all_analyses() {
   static const std::vector<Analysis> table = with_machines({
-      {.used = use::static_load,
-       .is_of = is_model<roller_bearing>,
-       .fidelities = {"quasi-static"},
-       .required = at_rest_required,
-       .names = {"static", "bearing under a static load"},
-       .scatter = scatter::at_rest,
-       .compute = bearing_at_rest,
-       .derived = static_quantities},
-      {.used = use::static_load,
-       .is_of = is_model<ball_bearing>,
-       .fidelities = {"quasi-static"},
-       .required = at_rest_required,
-       .names = {"static", "bearing under a static load"},
-       .scatter = scatter::of_balls,
-       .compute = bearing_at_rest,
-       .derived = static_quantities},
-      {.used = use::ball_run,
-       .is_of = is_ball_run,
-       .fidelities = {"dynamic"},
-       .required = "dynamic for a ball bearing in time, or a case without the block simulation",
-       .names = {"dynamic", "ball bearing in time", ball_file_name},
-       .doing = "time, in thousandths: ",
-       .parts = 1000,
-       .simulated = time_of_run,
-       .compute = balls_in_time},
       {.used = use::defect,
        .is_of = is_model<raceway_defect>,
        .fidelities = {"quasi-static"},

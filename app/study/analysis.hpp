@@ -36,7 +36,7 @@ struct Analysis {
   std::size_t parts = 0;                // of that line
   double (*simulated)(const ResolvedCase&) = nullptr;  // [s]  time of the motion whose shares these parts are
   /// Throws BadInput and ComputationFailed.
-  AnalysisResult (*compute)(const ResolvedCase&, const AnalysisOptions&);
+  std::function<AnalysisResult(const ResolvedCase&, const AnalysisOptions&)> compute;
   std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // derived quantities for `check`
 };
 
@@ -50,9 +50,7 @@ const Analysis& gears_alone();
 /// The signal of a scratched bearing in every form.
 AnalysisResult defect_result(const DefectStudy& study, bool files);
 
-/// Files of a result folder that hold what `run --json` prints: of a ball bearing in time, of a bearing with
-/// scratches.
-inline constexpr const char* ball_file_name = "ball.json";
+/// File of a result folder that holds what `run --json` prints of a bearing with scratches.
 inline constexpr const char* defect_file_name = "defect.json";
 
 }  // namespace orbearing::app

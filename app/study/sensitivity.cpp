@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/case/set_case.hpp"
+#include "app/case/machines.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -248,7 +249,8 @@ std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
   const Lives here = lives_at_rest(in);
   std::vector<std::pair<double, AssumedEffect>> found;
   if (here.empty()) return {};
-  const use::Analysis analysis = in.model() == planetary_drivetrain ? use::quasi_static : use::static_load;
+  const use::Analysis analysis =
+      in.model() == planetary_drivetrain ? use::quasi_static : machine_analysis(in.model(), "run")->used;
   for (const Input& input : in.inputs()) {
     if (!is_assumption(in, input, analysis)) continue;
     std::string text;

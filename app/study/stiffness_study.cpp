@@ -67,7 +67,7 @@ StiffnessStudy pair_stiffness(const ResolvedCase& in) {
                        .damping = "a static equilibrium has none"};
   for (const double speed : list_or(in, "operation.speeds", own)) {
     pair.operation.shaft_speed = speed;
-    const analysis::PairPoint found = computed_for(in, [&] { return analysis::point_of(pair); });
+    const analysis::PairPoint found = result_for(in, [&] { return analysis::point_of(pair); });
     StiffnessPoint point{.speed = speed, .load = {{"preload_N", pair.preload}}};
     point.stiffness =
         equilibrium::turned_to_axes() * found.chosen().stiffness * equilibrium::turned_to_axes().transpose();

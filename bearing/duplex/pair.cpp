@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/no_result.hpp"
 
 namespace orbearing::bearing::duplex {
 
@@ -33,7 +34,7 @@ double approach_under(const Bearing& bearing, double preload) {
   if (preload == 0.0) return 0.0;
   const RingState state = equilibrium::balance_ring(row, RingLoad{.axial = preload});
   if (!state.report.converged)
-    throw std::runtime_error("no static equilibrium under the preload: " + state.report.message);
+    throw mechanics::NoResult("no static equilibrium under the preload: " + state.report.message);
   return state.axial;
 }
 

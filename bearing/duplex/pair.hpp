@@ -48,7 +48,7 @@ struct Pair {
 };
 
 /// Axial displacement [m] of one row's inner ring under the axial load `preload` [N]. Throws
-/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error if no static equilibrium
+/// std::invalid_argument as BallRow does or for a negative load, mechanics::NoResult if no static equilibrium
 /// is found.
 double approach_under(const Bearing& bearing, double preload);
 

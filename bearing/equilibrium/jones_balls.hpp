@@ -27,20 +27,18 @@ template <class Visitor>
 void describe(Visitor& visit, BallInertia& m) {
   using namespace described;
   members(visit, m,
-          field(m.enabled, "equilibrium.ball_inertia", Physics::rotating_balls,
+          input(m.enabled, "equilibrium.ball_inertia",
                 "centrifugal force and gyroscopic moment of the balls",
-                {.models = ball_bearing | duplex_pair, .reason = "nothing left out"}),
-          field(m.attitude, "equilibrium.ball_attitude", Physics::rotating_balls,
+                {.reason = "nothing left out"}),
+          input(m.attitude, "equilibrium.ball_attitude",
                 "condition for the directions of the balls' axes and for the race that holds their "
                 "gyroscopic moment",
-                {.models = ball_bearing | duplex_pair,
-                 .reason = "traction that grows with slip, as that of an oil film",
+                {.reason = "traction that grows with slip, as that of an oil film",
                  .where = {"equilibrium.ball_inertia", "true"}}),
-          field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Physics::rotating_balls,
+          input(m.gyroscopic_moment, "equilibrium.gyroscopic_moment",
                 "gyroscopic moment of the balls: rate of their angular momentum, opposite sign as published "
                 "in textbooks, or none",
-                {.models = ball_bearing | duplex_pair,
-                 .reason = "the rate of angular momentum",
+                {.reason = "the rate of angular momentum",
                  .where = {"equilibrium.ball_inertia", "true"}}));
 }
 

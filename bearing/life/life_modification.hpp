@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bearing/life/basic_life.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -27,10 +28,30 @@ double fatigue_load_limit(RollingElement element, double static_capacity, double
 /// Lubrication and cleaning of the oil.
 enum class Lubrication { circulating_oil, oil_bath, grease };
 
+constexpr described::Names<Lubrication, 3> names_of(Lubrication) {
+  return {{{Lubrication::circulating_oil, "circulating-oil"},
+           {Lubrication::oil_bath, "oil-bath"},
+           {Lubrication::grease, "grease"}}};
+}
+
 /// Level of cleanliness, from best to worst. Oil: ISO 4406 codes -/13/10, -/15/12, -/17/14, -/19/16 and, for
 /// oil baths only, -/21/18; circulating oil with filters of beta_6 = 200, beta_12 = 200, beta_25 = 75 and
 /// beta_40 = 75. Grease: high, normal, slight to typical contamination, severe, very severe.
 enum class Cleanliness { highest, high, medium, low, lowest };
+
+/// In words, and by the equivalent codes where oil circulates.
+constexpr described::Names<Cleanliness, 10> names_of(Cleanliness) {
+  return {{{Cleanliness::highest, "highest"},
+           {Cleanliness::high, "high"},
+           {Cleanliness::medium, "medium"},
+           {Cleanliness::low, "low"},
+           {Cleanliness::lowest, "lowest"},
+           {Cleanliness::highest, "-/13/10"},
+           {Cleanliness::high, "-/15/12"},
+           {Cleanliness::medium, "-/17/14"},
+           {Cleanliness::low, "-/19/16"},
+           {Cleanliness::lowest, "-/21/18"}}};
+}
 
 /// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68
 /// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]; kappa above 4 counts as 4. Coefficients b and c are from

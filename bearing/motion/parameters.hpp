@@ -131,6 +131,23 @@ struct RaceContactParameters {
   double boundary_friction = 0.12;  // [-]  of asperities in contact
 };
 
+/// Rows that bearings at rest have too.
+inline auto starvation_row(Starvation& starvation) {
+  using namespace described;
+  return field(starvation, "traction.starvation", Physics::motion,
+            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
+            "at rest by the oil that returns to the tracks",
+            {.models = in_motion | roller_bearing,
+             .reason = "flooded, as in published cases",
+             .where = {"traction.rolling_resistance", "true"}});
+}
+inline auto film_row(bool& in_approach) {
+  using namespace described;
+  return field(in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
+            {.models = planetary_drivetrain | ball_bearing,
+             .reason = "dry contacts first; the effect of the film is shown separately"});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, RaceContactParameters& m) {
   using namespace described;
@@ -201,12 +218,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
             {.models = in_time,
              .reason = "isothermal, as in published cases",
              .where = {"traction.rolling_resistance", "true"}}),
-      field(m.starvation, "traction.starvation", Physics::motion,
-            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
-            "at rest by the oil that returns to the tracks",
-            {.models = in_motion | roller_bearing,
-             .reason = "flooded, as in published cases",
-             .where = {"traction.rolling_resistance", "true"}}),
+      starvation_row(m.starvation),
       field(
           m.film_heating, "film.inlet_heating", Physics::motion,
           "reduction of the reported films, and of kappa by film, by shear heating of the inlet and sliding; "
@@ -222,9 +234,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
                        "true|goksem-hargreaves|gupta"}}),
       internal(m.oil_conductivity, "traction.oil_conductivity"),
       internal(m.rolling_share, "traction.rolling_share"),
-      field(m.film_in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
-            {.models = planetary_drivetrain | ball_bearing,
-             .reason = "dry contacts first; the effect of the film is shown separately"}),
+      film_row(m.film_in_approach),
       field(m.squeeze, "contact.squeeze", Physics::motion,
             "squeeze film between rolling element and race resists their approach",
             {.models = in_time,
@@ -280,6 +290,17 @@ struct CageParameters {
   double touch_down_friction = 0.05;   // [-]    Assumption: oiled polymer on steel
 };
 
+/// Cases of rollers at rest may state it too.
+inline auto guide_land_row(double& diameter) {
+  using namespace described;
+  return field(diameter, "bearing.cage.guide_land_diameter", Physics::motion,
+            "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
+            {.models = with_rollers | balls_in_time,
+             .dimension = dimension::length,
+             .range = {0.0, 1e4},
+             .fmu = InFmu::parameter});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, CageParameters& m) {
   using namespace described;
@@ -317,12 +338,7 @@ void describe(Visitor& visit, CageParameters& m) {
              .range = positive(100.0),
              .reason = "a moulded or milled bar",
              .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
-      field(m.guide_diameter, "bearing.cage.guide_land_diameter", Physics::motion,
-            "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
-            {.models = with_rollers | balls_in_time,
-             .dimension = dimension::length,
-             .range = {0.0, 1e4},
-             .fmu = InFmu::parameter}),
+      guide_land_row(m.guide_diameter),
       internal(m.land_width, "bearing.cage.land_width"), internal(m.lands, "bearing.cage.lands"),
       field(m.largest_eccentricity, "bearing.cage.largest_eccentricity", Physics::motion,
             "share of the land's clearance where roughness carries",
@@ -374,6 +390,17 @@ struct OilDragParameters {
       0.05;  // [-]  Assumption: disc and drum friction of the Reynolds numbers at hand
 };
 
+/// Rollers at rest have it too.
+inline auto oil_share_row(double& share) {
+  using namespace described;
+  return field(share, "lubricant.share", Physics::motion, "oil in the free volume of the bearing",
+                {.models = in_time | roller_bearing,
+                 .range = {0.0, 1.0},
+                 .reason = "oil mist with jets",
+                 .where = {"drag.enabled", "true"},
+                 .fmu = InFmu::parameter});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, OilDragParameters& m) {
   using namespace described;
@@ -388,12 +415,7 @@ void describe(Visitor& visit, OilDragParameters& m) {
                  .reason = "mineral oil",
                  .where = on,
                  .fmu = InFmu::parameter}),
-          field(m.oil_share, "lubricant.share", Physics::motion, "oil in the free volume of the bearing",
-                {.models = in_time | roller_bearing,
-                 .range = {0.0, 1.0},
-                 .reason = "oil mist with jets",
-                 .where = on,
-                 .fmu = InFmu::parameter}),
+          oil_share_row(m.oil_share),
           internal(m.drag_coefficient, "drag.coefficient"),
           internal(m.churning_coefficient, "drag.churning_coefficient"));
 }

@@ -72,7 +72,7 @@ StiffnessStudy stiffness_of_rollers(const RollerSupport& in) {
 }
 
 StiffnessStudy stiffness_of_balls(const BallSupport& in) {
-  return over_loads_and_speeds(in.bearing, row_motion(in.rotation, in.balls, in.lubricant), in.load,
+  return over_loads_and_speeds(in.bearing, row_motion(in.rotation, in.balls, in.oil.lubricant), in.load,
                                list_or(in.load_factors, 1.0), list_or(in.speeds, in.rotation.shaft_speed));
 }
 

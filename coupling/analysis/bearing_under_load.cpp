@@ -547,13 +547,14 @@ void describe(Record& record, const BearingQuantities& of) {
   if (of.lives) record.child("life", "by the load on the bearing", of, describe_lives_by_load);
 }
 
-BearingQuantities quantities_of(const RollersUnderLoad& in) {
-  return quantities(in.loaded, stated_ratings(in));
+BearingQuantities quantities_of(const RollerBearing& machine) {
+  return quantities(machine.run.loaded, stated_ratings(machine.run));
 }
 
-BearingQuantities quantities_of(const BallsUnderLoad& in) {
-  BearingQuantities found = quantities(in.loaded, in.loaded.capacities.ratings());
-  const equilibrium::BallRow row(in.loaded.bearing);
+BearingQuantities quantities_of(const BallBearing& machine) {
+  const LoadedBearing& in = machine.run.loaded;
+  BearingQuantities found = quantities(in, in.capacities.ratings());
+  const equilibrium::BallRow row(in.bearing);
   found.groove_distance = row.groove_distance();
   found.free_contact_angle = row.free_angle();
   return found;

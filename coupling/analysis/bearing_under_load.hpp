@@ -63,7 +63,7 @@ struct BearingQuantities {
 void describe(described::Record& record, const BearingQuantities& of);
 
 /// Throws std::invalid_argument where kappa is below the range of a_ISO.
-BearingQuantities quantities_of(const RollersUnderLoad& in);
-BearingQuantities quantities_of(const BallsUnderLoad& in);
+BearingQuantities quantities_of(const RollerBearing& machine);
+BearingQuantities quantities_of(const BallBearing& machine);
 
 }  // namespace orbearing::analysis

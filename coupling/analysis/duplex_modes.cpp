@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <utility>
+
+#include "mechanics/no_result.hpp"
 
 namespace orbearing::analysis {
 
@@ -49,7 +50,7 @@ PairPoint point_of(const PreloadedPair& pair) {
   PairPoint point{.linear = pair.is_linear(), .approach = pair.approach()};
   point.state = balanced_at({pair.bearing, pair.arrangement, shaft.levers, point.approach},
                             pair.motion_at(pair.operation.shaft_speed));
-  if (!point.state.report.converged) throw std::runtime_error(point.state.report.message);
+  if (!point.state.report.converged) throw mechanics::NoResult(point.state.report.message);
   point.nonlinear = column_of(shaft, point.state.stiffness, pair.free_housing(), kPhysical);
   if (pair.has_linear_formulas()) {
     const duplex::Shaft other = pair.linear_shaft();

@@ -42,7 +42,7 @@ struct PairAtSpeed {
 /// With the ball that has the largest load on the inner race.
 void describe(described::Record& row, const PairAtSpeed& at);
 
-/// Throws std::runtime_error where no equilibrium is found.
+/// Throws mechanics::NoResult where no equilibrium is found.
 PairPoint point_of(const PreloadedPair& pair);
 /// At each of `operation.speeds`, by the nonlinear equilibrium.
 std::vector<PairAtSpeed> over_speeds(const PreloadedPair& pair);
@@ -56,7 +56,7 @@ struct DuplexModes {
 };
 void describe(described::Record& record, const DuplexModes& result);
 
-/// Throws std::runtime_error where no equilibrium is found at the speed of the shaft.
+/// Throws mechanics::NoResult where no equilibrium is found at the speed of the shaft.
 DuplexModes duplex_modes(const PreloadedPair& pair);
 
 }  // namespace orbearing::analysis

@@ -62,20 +62,21 @@ template <class Inputs>
 std::vector<mechanics::Conditional<Inputs>> conditions_of_pair() {
   const std::string speed = "operation.shaft_speed", speeds = "operation.speeds";
   const std::string inertia = "equilibrium.ball_inertia", arrangement = "arrangement";
+  const auto rotates = [](const Inputs& in) { return preloaded(in).rotates(); };
   return {{.keys = {"linear."},
-           .on = {arrangement, speed},
-           .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
-           .text = "where arrangement is face-to-face or tandem, and operation.shaft_speed is 0"},
-          {.keys = {"equilibrium."},
-           .on = {speed, speeds},
-           .holds = [](const Inputs& in) { return preloaded(in).rotates(); },
-           .text = "together with operation.shaft_speed or operation.speeds"},
+           .premises = {{.on = {arrangement, speed},
+                         .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
+                         .text = "where arrangement is face-to-face or tandem, and operation.shaft_speed is 0"}}},
+          {.keys = {"equilibrium."}, .premises = {{.on = {speed, speeds}, .holds = rotates}}},
           {.keys = {"material.density"},
-           .on = {speed, speeds, inertia},
-           .holds =
-               [](const Inputs& in) { return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled; },
-           .text = "together with operation.shaft_speed or operation.speeds, and where "
-                   "equilibrium.ball_inertia is true"}};
+           .premises = {
+               {.on = {speed, speeds, inertia},
+                .holds =
+                    [](const Inputs& in) {
+                      return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled;
+                    },
+                .text = "together with operation.shaft_speed or operation.speeds, and where "
+                        "equilibrium.ball_inertia is true"}}}};
 }
 
 }  // namespace
@@ -83,9 +84,9 @@ std::vector<mechanics::Conditional<Inputs>> conditions_of_pair() {
 std::vector<mechanics::Conditional<PreloadedPair>> PreloadedPair::conditions() {
   std::vector<mechanics::Conditional<PreloadedPair>> all = conditions_of_pair<PreloadedPair>();
   all.push_back({.keys = {"operation.shaft_speed"},
-                 .on = {"equilibrium.ball_inertia"},
-                 .holds = [](const PreloadedPair& pair) { return pair.ball_inertia.enabled; },
-                 .text = "where equilibrium.ball_inertia is true"});
+                 .premises = {{.on = {"equilibrium.ball_inertia"},
+                               .holds = [](const PreloadedPair& pair) { return pair.ball_inertia.enabled; },
+                               .text = "where equilibrium.ball_inertia is true"}}});
   return all;
 }
 

@@ -35,7 +35,7 @@ struct DuplexRun {
 };
 void describe(described::Record& record, const DuplexRun& result);
 
-/// Throws std::runtime_error where no equilibrium is found at the speed of the shaft.
+/// Throws mechanics::NoResult where no equilibrium is found at the speed of the shaft.
 DuplexRun duplex_run(const DuplexPair& machine);
 
 /// Results that follow from the inputs.
@@ -47,7 +47,7 @@ struct DuplexQuantities {
 };
 void describe(described::Record& record, const DuplexQuantities& of);
 
-/// Throws std::runtime_error as duplex_run.
+/// Throws mechanics::NoResult as duplex_run.
 DuplexQuantities quantities_of(const DuplexPair& machine);
 
 }  // namespace orbearing::analysis

@@ -109,14 +109,16 @@ PairQuantities quantities_of(const PairOfGears& machine) {
   const gearset::GearPair& pair = machine.pair;
   const ElasticPair elastic{pair, {machine.material.youngs_modulus, machine.material.poisson_ratio}};
   const MeshedPair meshed = meshed_pair(pair, machine.material);
+  const MeshStudy mesh = meshes_of_pair(elastic);
   const double mass_per_area = machine.material.density * pair.face_width;
   return {.centre_distance = meshed.centre_distance,
           .working_pressure_angle = meshed.working_pressure_angle,
           .contact_ratio = meshed.contact_ratio,
           .overlap_ratio = gearset::overlap_ratio(pair.face_width, pair.module, pair.helix_angle),
           .mass = {mass_per_area * meshed.area[0], mass_per_area * meshed.area[1]},
-          .mesh_stiffness = meshes_of_pair(elastic).meshes.front().stiffness.curve.mean(),
-          .gears = meshed.circles};
+          .mesh_stiffness = mesh.meshes.front().stiffness.curve.mean(),
+          .gears = meshed.circles,
+          .warnings = mesh.warnings};
 }
 
 namespace {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "coupling/analysis/meshes.hpp"
 #include "gearset/gear_pair.hpp"
@@ -47,6 +49,7 @@ struct PairQuantities {
   std::array<double, 2> mass{};         // [kg]
   double mesh_stiffness = 0.0;          // [N/m]  mean over the mesh period
   std::array<GearCircles, 2> gears{};
+  std::vector<std::string> warnings;  // of its mesh
 };
 void describe(described::Record& record, const PairQuantities& of);
 

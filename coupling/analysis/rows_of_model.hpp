@@ -1,10 +1,14 @@
-// Rows of a structure that cases of several models share (mechanics/described.hpp): those of one model.
+// Rows of a structure that cases of several models share (mechanics/described.hpp): those of one model, or of
+// a part that an analysis takes.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
+#include "bearing/profile/profile.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::analysis {
@@ -13,7 +17,7 @@ namespace orbearing::analysis {
 template <class T>
 inline constexpr bool can_be_stated =
     std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::optional<double>> ||
-    std::is_same_v<T, std::vector<double>>;
+    std::is_same_v<T, std::vector<double>> || std::is_same_v<T, bearing::profile::Profile>;
 
 /// A visitor that passes on the rows of one model.
 template <class Visitor>
@@ -36,6 +40,39 @@ class RowsOfModel {
 template <class Visitor, class Part>
 void describe_for_model(Visitor& visit, Part& part, described::Model model) {
   RowsOfModel<Visitor> rows(visit, model);
+  describe(rows, part);
+}
+
+/// A visitor that passes on the rows of all members but some, or their parts.
+template <class Visitor>
+class RowsWithout {
+ public:
+  template <class... Members>
+  explicit RowsWithout(Visitor& visit, const Members&... left_out)
+      : visit_(visit), left_out_{{&left_out, &left_out + 1}...} {}
+
+  template <class Member>
+  void operator()(Member& member, const described::Facts& facts) {
+    if (std::ranges::none_of(left_out_, [&](const Extent& one) { return one.holds(&member); }))
+      visit_(member, facts);
+  }
+
+ private:
+  struct Extent {
+    const void *begin, *end;
+    bool holds(const void* address) const {
+      return !std::less<>()(address, begin) && std::less<>()(address, end);
+    }
+  };
+
+  Visitor& visit_;
+  std::vector<Extent> left_out_;
+};
+
+/// Describes `part` but for some of its members.
+template <class Visitor, class Part, class... Members>
+void describe_without(Visitor& visit, Part& part, const Members&... left_out) {
+  RowsWithout<Visitor> rows(visit, left_out...);
   describe(rows, part);
 }
 

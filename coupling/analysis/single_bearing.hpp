@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,40 +12,17 @@
 #include "bearing/friction/published_torque.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/parameters.hpp"
+#include "coupling/analysis/rows_of_model.hpp"
 #include "coupling/analysis/stated_capacities.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/heated_balls.hpp"
-
-namespace orbearing::bearing::rating {
-
-constexpr described::Names<Lubrication, 3> names_of(Lubrication) {
-  return {{{Lubrication::circulating_oil, "circulating-oil"},
-           {Lubrication::oil_bath, "oil-bath"},
-           {Lubrication::grease, "grease"}}};
-}
-
-/// In words, and by the equivalent codes where oil circulates.
-constexpr described::Names<Cleanliness, 10> names_of(Cleanliness) {
-  return {{{Cleanliness::highest, "highest"},
-           {Cleanliness::high, "high"},
-           {Cleanliness::medium, "medium"},
-           {Cleanliness::low, "low"},
-           {Cleanliness::lowest, "lowest"},
-           {Cleanliness::highest, "-/13/10"},
-           {Cleanliness::high, "-/15/12"},
-           {Cleanliness::medium, "-/17/14"},
-           {Cleanliness::low, "-/19/16"},
-           {Cleanliness::lowest, "-/21/18"}}};
-}
-
-}  // namespace orbearing::bearing::rating
+#include "mechanics/conditional.hpp"
+#include "mechanics/no_result.hpp"
+#include "mechanics/problem.hpp"
 
 namespace orbearing::analysis {
 
-/// An analysis that came to no result, e.g. a load without static equilibrium.
-struct NoResult : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using mechanics::NoResult;
 
 /// Speeds of the rings, and which of them rotates relative to the load.
 struct RingRotation {
@@ -69,6 +45,15 @@ void describe(Visitor& visit, RingRotation& m) {
           speed(m.outer_speed, "operation.outer_speed", "speed of the outer ring"),
           input(m.turning_race, "operation.turning_race", "race that rotates relative to the load",
                 {.reason = "a stationary load on a rotating shaft"}));
+}
+
+inline auto speeds_row(std::vector<double>& speeds) {
+  using namespace described;
+  return input(
+      speeds, "operation.speeds",
+      "speeds of the inner ring over which run and stiffness tabulate the equilibrium, and modes and "
+      "run of a duplex pair its natural frequencies",
+      {.dimension = dimension::angular_speed, .range = {-1e6, 1e6}});
 }
 
 /// How lives are computed, and cleanliness of the oil.
@@ -120,12 +105,19 @@ void describe(Visitor& visit, RollerLifeInputs& m) {
                 {.reason = "lives do not depend on the number of laminae"}));
 }
 
+inline auto oil_temperature_row(double& temperature) {
+  using namespace described;
+  return input(
+      temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
+      {.dimension = dimension::temperature, .range = {-20.0, 150.0}, .reason = "oil of a gearbox at full load"});
+}
+
 /// The oil of a bearing, for films, friction and kappa.
 struct BearingOil {
   std::optional<bearing::OilGrade> grade;     // none: not stated by a grade
   double temperature = 70.0;                  // [degC]  at which the oil of a grade runs
   std::optional<double> kinematic_viscosity;  // [m^2/s]  at running temperature
-  bearing::Lubricant lubricant = bearing::warm_gear_oil;
+  bearing::Lubricant lubricant = bearing::warm_gear_oil;  // of the grade, or as stated with its own rows
 };
 /// A case states a grade by several inputs.
 template <class Visitor>
@@ -133,14 +125,11 @@ void describe(Visitor& visit, BearingOil& m) {
   using namespace described;
   members(
       visit, m, internal(m.grade, "lubricant.grade"),
-      input(m.temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
-            {.dimension = dimension::temperature,
-             .range = {-20.0, 150.0},
-             .reason = "oil of a gearbox at full load"}),
+      oil_temperature_row(m.temperature),
       input(m.kinematic_viscosity, "lubricant.kinematic_viscosity",
             "kinematic viscosity at running temperature, instead of kappa",
             {.dimension = dimension::kinematic_viscosity, .range = positive(1e6)}),
-      part(m.lubricant));
+      internal(m.lubricant, "lubricant.grade"));
 }
 
 /// Inputs of all runs of a bearing under a load of its own.
@@ -153,12 +142,25 @@ struct LoadedBearing {
   BearingOil oil;
   std::optional<bearing::friction::BearingSize> size;  // boundary dimensions, without C_0; none: not known
 };
-/// Dimensions are stated, or those of a designation.
+/// Rows of that model, without a cage. Dimensions are stated, or those of a designation.
 template <class Visitor>
-void describe(Visitor& visit, LoadedBearing& m) {
+void describe(Visitor& visit, LoadedBearing& m, described::Model model) {
   using namespace described;
-  members(visit, m, part(m.load), part(m.rotation), part(m.bearing), part(m.capacities), part(m.life),
-          part(m.oil), internal(m.size, "bearing.size"));
+  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, model); }), part(m.rotation),
+          part(m.bearing,
+               [&] {
+                 RowsWithout<Visitor> rows(visit, m.bearing.cage);
+                 describe_for_model(rows, m.bearing, model);
+               }),
+          part(m.capacities), part(m.life), part(m.oil), internal(m.size, "bearing.size"));
+}
+
+/// The elastic bearing between its rings: without seats, cage and mass.
+template <class Visitor>
+void describe_inside(Visitor& visit, bearing::Bearing& m, described::Model model) {
+  RowsWithout<Visitor> rows(visit, m.inner.seat_diameter, m.outer.seat_diameter, m.width, m.cage,
+                            m.material.density);
+  describe_for_model(rows, m, model);
 }
 
 /// Laminae of rollers where a case states none: at rest they are always cut.
@@ -175,27 +177,10 @@ struct RollerOil {
 };
 template <class Visitor>
 void describe(Visitor& visit, RollerOil& m) {
-  using namespace described;
-  members(
-      visit, m,
-      input(m.share, "lubricant.share", "oil in the free volume of the bearing",
-            {.range = {0.0, 1.0}, .reason = "oil mist with jets"}),
-      input(m.flow, "lubricant.flow",
-            "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
-            {.dimension = dimension::flow, .range = {0.0, 1000.0}, .reason = "grease, or a bath"}),
-      input(m.starvation, "traction.starvation",
-            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
-            "at rest by the oil that returns to the tracks",
-            {.reason = "flooded, as in published cases"}),
-      input(m.heated, "heat.enabled",
-            "temperatures and the oil's viscosity are computed from the friction; of rollers at rest with "
-            "heat.model: oil",
-            {.reason = "the viscosity is stated at running temperature"}),
-      input(m.model, "heat.model",
-            "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
-            {.reason = "bearings lose heat by their seats too"}),
-      input(m.inlet, "heat.inlet", "temperature of the oil that flows in",
-            {.dimension = dimension::temperature, .range = {-60.0, 400.0}, .reason = "a tank's"}));
+  using namespace bearing;
+  described::members(visit, m, motion::oil_share_row(m.share), balls::oil_flow_row(m.flow),
+                     motion::starvation_row(m.starvation), system::heat_enabled_row(m.heated),
+                     system::heat_model_row(m.model), system::heat_inlet_row(m.inlet));
 }
 
 /// Inputs of the run of a roller bearing, at rest.
@@ -203,11 +188,14 @@ struct RollersUnderLoad {
   LoadedBearing loaded{.bearing = {.elements = bearing::CylindricalRollers{.laminae = default_laminae}}};
   RollerLifeInputs life;
   RollerOil oil;
+
+  static std::vector<mechanics::Conditional<RollersUnderLoad>> conditions();
 };
 template <class Visitor>
 void describe(Visitor& visit, RollersUnderLoad& m) {
   using namespace described;
-  members(visit, m, part(m.loaded), part(m.life), part(m.oil));
+  members(visit, m, part(m.loaded, [&] { describe(visit, m.loaded, roller_bearing); }), part(m.life),
+          part(m.oil));
 }
 
 /// Effects of the motion of balls on their equilibrium.
@@ -217,10 +205,7 @@ struct BallsOnRaces {
 };
 template <class Visitor>
 void describe(Visitor& visit, BallsOnRaces& m) {
-  using namespace described;
-  members(visit, m, part(m.inertia),
-          input(m.film, "film.enabled", "the approach includes the film",
-                {.reason = "dry contacts first; the effect of the film is shown separately"}));
+  described::members(visit, m, described::part(m.inertia), bearing::motion::film_row(m.film));
 }
 
 /// Inputs of the run of a ball bearing at rest.
@@ -228,19 +213,19 @@ struct BallsUnderLoad {
   LoadedBearing loaded{.bearing = {.elements = bearing::Balls{}}};
   BallsOnRaces balls;
   std::vector<double> speeds;  // [rad/s]  of the inner ring, over which its equilibrium is tabulated
+
+  static std::vector<mechanics::Conditional<BallsUnderLoad>> conditions();
 };
-inline auto speeds_row(std::vector<double>& speeds) {
-  using namespace described;
-  return input(
-      speeds, "operation.speeds",
-      "speeds of the inner ring over which run and stiffness tabulate the equilibrium, and modes and "
-      "run of a duplex pair its natural frequencies",
-      {.dimension = dimension::angular_speed, .range = {-1e6, 1e6}});
-}
 template <class Visitor>
 void describe(Visitor& visit, BallsUnderLoad& m) {
   using namespace described;
-  members(visit, m, part(m.loaded), part(m.balls), speeds_row(m.speeds));
+  members(visit, m,
+          part(m.loaded,
+               [&] {
+                 describe(visit, m.loaded, ball_bearing);
+                 describe(visit, m.loaded.oil.lubricant);
+               }),
+          part(m.balls), speeds_row(m.speeds));
 }
 
 /// Motion of the balls and the cage in time.
@@ -258,18 +243,30 @@ void describe(Visitor& visit, BallSimulation& m) {
       input(m.shaft_acceleration, "operation.shaft_acceleration",
             "acceleration of the inner ring from rest up to its speed; 0: that speed from the start on",
             {.dimension = dimension::angular_acceleration, .range = {0.0, 1e9}, .reason = "steady speed"}),
-      part(m.motion), part(m.options), part(m.heat));
+      part(m.motion, [&] { describe_for_model(visit, m.motion, ball_motion); }), part(m.options),
+      part(m.heat));
 }
 
-/// Inputs of the run of a ball bearing in time.
+/// Inputs of the run of a ball bearing in time: the machine of the model ball-bearing with a block
+/// `simulation`.
 struct BallsInTime {
   LoadedBearing loaded{.bearing = {.elements = bearing::Balls{}}};
   BallSimulation simulation;
+
+  static std::vector<mechanics::Conditional<BallsInTime>> conditions();
+  /// Inputs that would change the motion and cannot be included.
+  static std::vector<std::string> refused() { return {"load.tilt"}; }
 };
 template <class Visitor>
 void describe(Visitor& visit, BallsInTime& m) {
   using namespace described;
-  members(visit, m, part(m.loaded), part(m.simulation));
+  members(visit, m,
+          part(m.loaded,
+               [&] {
+                 describe(visit, m.loaded, ball_motion);
+                 describe_for_model(visit, m.loaded.bearing.cage, ball_motion);
+               }),
+          part(m.simulation));
 }
 
 inline auto load_factors_row(std::vector<double>& factors) {
@@ -288,7 +285,9 @@ struct RollerSupport {
 template <class Visitor>
 void describe(Visitor& visit, RollerSupport& m) {
   using namespace described;
-  members(visit, m, part(m.load), part(m.bearing), load_factors_row(m.load_factors));
+  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, roller_bearing); }),
+          part(m.bearing, [&] { describe_inside(visit, m.bearing, roller_bearing); }),
+          load_factors_row(m.load_factors));
 }
 
 /// Inputs of the stiffness of a ball bearing.
@@ -297,16 +296,119 @@ struct BallSupport {
   RingRotation rotation;
   bearing::Bearing bearing{.elements = bearing::Balls{}};
   BallsOnRaces balls;
-  bearing::Lubricant lubricant = bearing::warm_gear_oil;
+  BearingOil oil;
   std::vector<double> speeds;        // [rad/s]  of the inner ring; none: its own
   std::vector<double> load_factors;  // [-]  none: 1
+
+  static std::vector<mechanics::Conditional<BallSupport>> conditions();
 };
 template <class Visitor>
 void describe(Visitor& visit, BallSupport& m) {
   using namespace described;
-  members(visit, m, part(m.load), part(m.rotation), part(m.bearing), part(m.balls), part(m.lubricant),
+  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, ball_bearing); }),
+          part(m.rotation, [&] { describe_without(visit, m.rotation, m.rotation.turning_race); }),
+          part(m.bearing,
+               [&] {
+                 describe_inside(visit, m.bearing, ball_bearing);
+                 visit_row(visit, mechanics::density_row(m.bearing.material.density));
+               }),
+          part(m.balls),
+          part(m.oil,
+               [&] {
+                 describe_without(visit, m.oil, m.oil.kinematic_viscosity);
+                 describe(visit, m.oil.lubricant);
+               }),
           speeds_row(m.speeds), load_factors_row(m.load_factors));
 }
+
+/// Inputs of rollers in motion and of their films, which a case may state and no analysis at rest includes.
+struct MotionOfRollers {
+  bearing::Cage cage;
+  double guide_land = 0.0;  // [m]  diameter
+  bearing::Lubricant lubricant = bearing::warm_gear_oil;
+};
+template <class Visitor>
+void describe(Visitor& visit, MotionOfRollers& m) {
+  using namespace described;
+  members(visit, m, part(m.cage, [&] { describe_for_model(visit, m.cage, roller_bearing); }),
+          bearing::motion::guide_land_row(m.guide_land), part(m.lubricant));
+}
+
+/// The machine of the model roller-bearing.
+struct RollerBearing {
+  RollersUnderLoad run;
+  std::vector<double> load_factors;  // [-]  of its stiffness
+  MotionOfRollers motion;
+};
+template <class Visitor>
+void describe(Visitor& visit, RollerBearing& m) {
+  using namespace described;
+  members(visit, m, part(m.run), load_factors_row(m.load_factors), part(m.motion));
+}
+
+/// The machine of the model ball-bearing.
+struct BallBearing {
+  BallsUnderLoad run;
+  std::vector<double> load_factors;  // [-]  of its stiffness
+};
+template <class Visitor>
+void describe(Visitor& visit, BallBearing& m) {
+  described::members(visit, m, described::part(m.run), load_factors_row(m.load_factors));
+}
+
+/// Inconsistencies of the whole machine.
+mechanics::Problems problems(const RollersUnderLoad& machine);
+mechanics::Problems problems(const BallsInTime& machine);
+
+// Parts of machines whose inconsistencies are found without the other inputs.
+
+/// The load on an inner ring.
+struct LoadOnRing {
+  bearing::equilibrium::RingLoad load;
+};
+template <class Visitor>
+void describe(Visitor& visit, LoadOnRing& m) {
+  using namespace described;
+  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, ball_bearing); }));
+}
+mechanics::Problems problems(const LoadOnRing& machine);
+
+/// The same on rollers, whose laminae hold the moment.
+struct LoadOnRollers {
+  bearing::equilibrium::RingLoad load;
+  int laminae = default_laminae;
+};
+template <class Visitor>
+void describe(Visitor& visit, LoadOnRollers& m) {
+  using namespace described;
+  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, roller_bearing); }),
+          bearing::laminae_row(m.laminae));
+}
+mechanics::Problems problems(const LoadOnRollers& machine);
+
+/// How the oil of lives is stated.
+struct OilOfLife {
+  LifeInputs life;
+  BearingOil oil;
+};
+template <class Visitor>
+void describe(Visitor& visit, OilOfLife& m) {
+  described::members(visit, m, described::part(m.life), described::part(m.oil));
+}
+mechanics::Problems problems(const OilOfLife& machine);
+
+/// The viscosity ratio of that oil.
+struct ViscosityRatio {
+  RingRotation rotation;
+  double pitch_diameter = 0.0;  // [m]
+  OilOfLife oil;
+};
+template <class Visitor>
+void describe(Visitor& visit, ViscosityRatio& m) {
+  using namespace described;
+  members(visit, m, part(m.rotation), bearing::pitch_diameter_row(m.pitch_diameter), part(m.oil));
+}
+mechanics::Problems problems(const ViscosityRatio& machine);
 
 // Parameters of the analyses, which follow from these inputs.
 

@@ -72,28 +72,35 @@ struct HeatParameters {
   double oil_capacity = 5.0;        // [J/K]  of the oil in the bearing
 };
 
+/// Rows that rollers at rest have too.
+inline auto heat_enabled_row(bool& on) {
+  return described::input(
+      on, "heat.enabled",
+      "temperatures and the oil's viscosity are computed from the friction; of rollers at rest with "
+      "heat.model: oil",
+      {.reason = "the viscosity is stated at running temperature"});
+}
+inline auto heat_model_row(HeatModel& model) {
+  return described::input(
+      model, "heat.model",
+      "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
+      {.reason = "bearings lose heat by their seats too"});
+}
+inline auto heat_inlet_row(double& inlet) {
+  using namespace described;
+  return input(inlet, "heat.inlet", "temperature of the oil that flows in",
+               {.dimension = dimension::temperature, .range = {-60.0, 400.0}, .reason = "a tank's"});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, HeatParameters& m) {
   using namespace described;
-  constexpr Where on{"heat.enabled", "true"};
   const auto row = [&](double& member, const char* path, const char* meaning, const Dimension& dimension,
                        Range range, const char* reason) {
-    return field(
-        member, path, Physics::single_bearing_run, meaning,
-        {.models = ball_motion, .dimension = dimension, .range = range, .reason = reason, .where = on});
+    return input(member, path, meaning, {.dimension = dimension, .range = range, .reason = reason});
   };
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
-  rows(visit,
-       field(m.on, "heat.enabled", Physics::single_bearing_run,
-             "temperatures and the oil's viscosity are computed from the friction; of rollers at rest with "
-             "heat.model: oil",
-             {.models = ball_motion | roller_bearing,
-              .reason = "the viscosity is stated at running temperature"}),
-       field(m.model, "heat.model", Physics::single_bearing_run,
-             "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
-             {.models = ball_motion | roller_bearing,
-              .reason = "bearings lose heat by their seats too",
-              .where = on}),
+  rows(visit, heat_enabled_row(m.on), heat_model_row(m.model),
        row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
            dimension::temperature, temperature, "a warm room"),
        row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring",
@@ -107,12 +114,7 @@ void describe(Visitor& visit, HeatParameters& m) {
        row(m.shaft, "heat.shaft_conductance",
            "conductance of the inner ring along the shaft to the surroundings", dimension::conductance,
            conductance, "a shaft of the bore's diameter"),
-       field(m.inlet, "heat.inlet", Physics::single_bearing_run, "temperature of the oil that flows in",
-             {.models = ball_motion | roller_bearing,
-              .dimension = dimension::temperature,
-              .range = temperature,
-              .reason = "a tank's",
-              .where = on}),
+       heat_inlet_row(m.inlet),
        row(m.stated_at, "heat.viscosity_temperature", "reference temperature of lubricant.viscosity",
            dimension::temperature, temperature, "running temperature"),
        row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",

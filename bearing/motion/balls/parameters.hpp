@@ -95,6 +95,17 @@ struct MixtureParameters {
   OilFill fill = OilFill::stated;
 };
 
+/// Rollers at rest have it too.
+inline auto oil_flow_row(double& flow) {
+  using namespace described;
+  return field(flow, "lubricant.flow", Physics::motion,
+                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
+                {.models = ball_motion | roller_bearing,
+                 .dimension = dimension::flow,
+                 .range = {0.0, 1000.0},
+                 .reason = "grease, or a bath"});
+}
+
 template <class Visitor>
 void describe(Visitor& visit, MixtureParameters& m) {
   using namespace described;
@@ -104,12 +115,7 @@ void describe(Visitor& visit, MixtureParameters& m) {
                 {.models = balls_in_time,
                  .reason = "balls, cage and shaft drag them along",
                  .where = {"drag.enabled", "true"}}),
-          field(m.flow, "lubricant.flow", Physics::motion,
-                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
-                {.models = ball_motion | roller_bearing,
-                 .dimension = dimension::flow,
-                 .range = {0.0, 1000.0},
-                 .reason = "grease, or a bath"}),
+          oil_flow_row(m.flow),
           field(m.fill, "lubricant.fill", Physics::motion,
                 "share of oil in the free volume: stated, or by flow and speed as Parker measured",
                 {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}));

@@ -12,7 +12,6 @@
 #include "app/case/analysis_names.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/spectrum_case.hpp"
-#include "app/case/static_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
@@ -54,10 +53,18 @@ inline std::string verdicts_result(const std::vector<Verdict>& verdicts) {
   return json_of(record).dump();
 }
 
-/// The same with the verdicts on a single bearing.
-template <class Study>
-std::string rated_text(const ResolvedCase& in, const Study& study) {
-  return record_text(study) + verdicts_result(verdicts_of(stated_requirements(in), study.life_table().value));
+/// Result of a machine, with the verdicts on its lives.
+inline std::string machine_text(const ResolvedCase& in, const MachineAnalysis& analysis) {
+  const AnalysisResult result = analysis.compute(in, {});
+  const std::string text = json_of(result.record).dump();
+  return result.lives ? text + verdicts_result(verdicts_of(stated_requirements(in), result.lives->value))
+                      : text;
+}
+
+/// Analyses of a machine by their commands, as bits.
+template <class... Commands>
+unsigned analyses_of_machine(Model model, const Commands&... commands) {
+  return (unsigned{machine_analysis(model, commands)->used} | ...);
 }
 
 /// Lives under the spectrum that the case states, and what each bin uses up.
@@ -188,22 +195,17 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return machine_result(bearing_numbers(in), true);
     case use::fmu_gearset:
       return machine_result(gear_numbers(in), false);
-    case use::static_load:
-      return rated_text(in, bearing_under_load(in));
-    case use::ball_run:
-      return rated_text(in, ball_run(in));
     case use::defect:
       return record_text(defect_study(in));
     case use::moving_defect:
       return record_text(defect_study(in, DefectRung::all));
-    case use::stiffness:
     case use::planet_stiffness:
       return record_text(stiffness_study(in));
     default:
       break;
   }
   const auto of_machine = std::ranges::find(machine_analyses(), analysis, &MachineAnalysis::used);
-  return of_machine == machine_analyses().end() ? "" : json_of(of_machine->compute(in, {}).record).dump();
+  return of_machine == machine_analyses().end() ? "" : machine_text(in, *of_machine);
 }
 
 }  // namespace orbearing::app::fields_test

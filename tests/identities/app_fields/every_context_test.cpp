@@ -90,7 +90,7 @@ std::vector<Context> contexts_of_rollers_at_rest() {
 
 std::vector<Context> contexts_of_teeth() {
   const std::string set = "bearing_in_a_set", loaded = "gearset.tooth_contact=loaded";
-  const unsigned mesh_of_pair = machine_analysis(described::gear_pair, "mesh")->used;
+  const unsigned mesh_of_pair = analyses_of_machine(described::gear_pair, "mesh");
   return {{"loaded_teeth", set, {loaded}, use::mesh},
           {"relieved_teeth", set,
            {loaded, "gearset.tip_relief.sun=20 um", "gearset.tip_relief.planet=10 um",
@@ -108,35 +108,40 @@ std::vector<Context> contexts_of_single_bearings() {
   const std::string rollers = "roller_bearing", balls = "ball_bearing",
                     rotating = "operation.shaft_speed=9000 rpm";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
-  constexpr unsigned both = use::static_load | use::stiffness;
-  const unsigned of_pair = machine_analysis(described::duplex_pair, "modes")->used |
-                           machine_analysis(described::duplex_pair, "run")->used;
+  const unsigned of_rollers = analyses_of_machine(described::roller_bearing, "run", "stiffness"),
+                 of_balls = analyses_of_machine(described::ball_bearing, "run", "stiffness"),
+                 of_pair = analyses_of_machine(described::duplex_pair, "modes", "run");
   return {
-      {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, both},
-      {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, both},
+      {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, of_rollers},
+      {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, of_rollers},
       {"rollers_end_drop",
        rollers,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
-       both},
+       of_rollers},
       {"rollers_in_oil",
        rollers,
        {"operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.cleanliness=high"},
-       both},
-      {"rollers_by_kappa", rollers, {"life.viscosity_ratio=2", "life.contamination_factor=0.4"}, both},
-      {"rollers_bought", rollers, {"bearing.designation=NU 204"}, both},
-      {"balls_turning", balls, {rotating}, both},
-      {"balls_without_mass", balls, {rotating, "equilibrium.ball_inertia=false"}, both},
+       of_rollers},
+      {"rollers_by_kappa", rollers, {"life.viscosity_ratio=2", "life.contamination_factor=0.4"}, of_rollers},
+      {"rollers_in_oil_by_kappa",
+       rollers,
+       {"operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.viscosity_ratio=2",
+        "life.contamination_factor=0.4"},
+       of_rollers},
+      {"rollers_bought", rollers, {"bearing.designation=NU 204"}, of_rollers},
+      {"balls_turning", balls, {rotating}, of_balls},
+      {"balls_without_mass", balls, {rotating, "equilibrium.ball_inertia=false"}, of_balls},
       {"balls_without_mass_filmed",
        balls,
        {rotating, "equilibrium.ball_inertia=false", "film.enabled=true"},
-       both},
-      {"balls_filmed", balls, {rotating, "film.enabled=true", "lubricant.grade=ISO VG 68"}, both},
+       of_balls},
+      {"balls_filmed", balls, {rotating, "film.enabled=true", "lubricant.grade=ISO VG 68"}, of_balls},
       {"balls_in_oil",
        balls,
        {rotating, "lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high"},
-       both},
-      {"balls_under_axial_load", balls, {"load.axial=300 N"}, both},
-      {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]", "load.axial=300 N"}, both},
+       of_balls},
+      {"balls_under_axial_load", balls, {"load.axial=300 N"}, of_balls},
+      {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]", "load.axial=300 N"}, of_balls},
       {"pair_turning", "duplex_pair", {rotating}, of_pair},
       {"pair_without_mass", "duplex_pair", {rotating, "equilibrium.ball_inertia=false"}, of_pair},
       {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, of_pair},
@@ -144,7 +149,7 @@ std::vector<Context> contexts_of_single_bearings() {
       {"film_by_reynolds",
        "spin_film",
        {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
-       machine_analysis(described::spin_film, "run")->used},
+       analyses_of_machine(described::spin_film, "run")},
       {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
       {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
       {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};
@@ -153,6 +158,7 @@ std::vector<Context> contexts_of_single_bearings() {
 std::vector<Context> contexts_in_motion() {
   const std::string set = "bearing_in_a_set", balls = "ball_bearing_in_time";
   const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
+  const unsigned run_of_balls = analyses_of_machine(described::ball_motion, "run");
   return {{"limiting_shear", set, {"traction.law=limiting-shear"}, use::dynamic | use::fmu_bearing},
           {"mixed", set, {"traction.law=limiting-shear", "contact.lubrication=mixed"},
            use::dynamic | use::monolithic | use::fmu_bearing},
@@ -170,18 +176,18 @@ std::vector<Context> contexts_in_motion() {
            {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"}, use::dynamic},
           {"several_by_film_in_motion", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"},
            use::dynamic_of_sets},
-          {"balls_eyring", balls, {"traction.law=ree-eyring"}, use::ball_run},
-          {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, use::ball_run},
-          {"balls_heated", balls, {"heat.enabled=true", "lubricant.flow=0.1 L/min"}, use::ball_run},
+          {"balls_eyring", balls, {"traction.law=ree-eyring"}, run_of_balls},
+          {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, run_of_balls},
+          {"balls_heated", balls, {"heat.enabled=true", "lubricant.flow=0.1 L/min"}, run_of_balls},
           {"balls_in_warm_oil",
            balls,
            {"heat.enabled=true", "heat.model=oil", "lubricant.flow=0.1 L/min", "lubricant.fill=parker",
             "traction.inlet_heating=goksem-hargreaves", "traction.ball_rolling_law=reynolds"},
-           use::ball_run},
-          {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, use::ball_run},
-          {"balls_without_drag", balls, {"drag.enabled=false"}, use::ball_run},
+           run_of_balls},
+          {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, run_of_balls},
+          {"balls_without_drag", balls, {"drag.enabled=false"}, run_of_balls},
           {"balls_squeezing", balls, {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
-           use::ball_run}};
+           run_of_balls}};
 }
 
 struct Subject {
@@ -234,12 +240,12 @@ bool is_label(const Field& field) {
 // In motion a field takes a quarter of a second, and loaded teeth take half: each day some of them.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
-  constexpr unsigned slow = use::in_time | use::ball_run | use::fmu_bearing | use::fmu_gearset | use::gears |
-                            use::defect;
+  constexpr unsigned motions =
+      use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears | use::defect;
+  const unsigned slow = motions | analyses_of_machine(described::ball_motion, "run") |
+                        analyses_of_machine(described::duplex_pair, "run");
   const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
-  if ((subject.analysis & slow) != 0 ||
-      subject.analysis == machine_analysis(described::duplex_pair, "run")->used)
-    return true;
+  if ((subject.analysis & slow) != 0) return true;
   const auto hash = std::hash<std::string>{}(subject.context.name);
   return (part + hash) % 8 != 0;
 }

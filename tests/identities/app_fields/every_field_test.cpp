@@ -82,7 +82,7 @@ class EveryField : public testing::TestWithParam<Subject> {
       const std::string path = setting.substr(0, setting.find('='));
       if ((find_field(path)->models & in({}).model()) == 0) continue;
       const bool run_up = path.find("run_up") != std::string::npos || path == "input.acceleration";
-      if (run_up && (find_field(path)->use.by & GetParam().analysis) == 0) continue;
+      if (run_up && (use_of(*find_field(path)).by & GetParam().analysis) == 0) continue;
       settings.push_back(in_set(setting));
     }
     return settings;
@@ -130,6 +130,7 @@ class EveryField : public testing::TestWithParam<Subject> {
   }
 
   const Base& base() const { return *GetParam().base; }
+  const Use& use_of(const Field& field) { return field.use_in(in({}).model()); }
 
  private:
   // Results are kept: the reference of one field is sometimes the changed case of another.
@@ -158,6 +159,7 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   const use::Analysis analysis = subject.analysis;
   const auto location = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
   const auto unless = [&](std::size_t part, std::size_t parts) { return location % parts != part; };
+  const unsigned run_of_balls = analyses_of_machine(ball_motion, "run");
   switch (analysis) {
     case use::gears:
     case use::fmu_bearing:
@@ -177,15 +179,14 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
       return unless(8, 12);
     case use::planet_defect:  // what moves as by monolithic shares that part
       return (field.use.by & use::monolithic) != 0 && unless(10, 12);
-    case use::ball_run:
-      return unless(4, 6);
     case use::moving_defect:  // balls roll as in a ball's run, and scratches act as without mass
-      return (field.use.by & (use::ball_run | use::defect)) != 0 && unless(1, 6);
+      return ((field.use.by & use::defect) != 0 || (field.use_in(ball_motion).by & run_of_balls) != 0) &&
+             unless(1, 6);
     case use::crown:
     case use::planet_stiffness:
       return subject.base->name == "multi_stage" && unless(5, 6);
     default:
-      return false;
+      return analysis == run_of_balls && unless(4, 6);
   }
 }
 
@@ -255,10 +256,11 @@ TEST_P(EveryField, WithoutItsConditionIsReported) {
     if (is_left_to_full_tests(*input.field, GetParam())) continue;
     if (stays_as_it_is(*input.field, plain)) continue;
     // A field that has an effect only where another value is absent has its condition here.
-    const std::vector<Condition>& conditions = input.field->use.conditions;
+    const Use& use = use_of(*input.field);
+    const std::vector<Condition>& conditions = use.conditions;
     if (std::all_of(conditions.begin(), conditions.end(), [](const Condition& c) { return c.absent; }))
       continue;
-    if ((input.field->use.by & GetParam().analysis) == 0) continue;
+    if ((use.by & GetParam().analysis) == 0) continue;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
     const Change change = change_of(*input.field, plain, input.path);
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
@@ -286,16 +288,27 @@ TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
     EXPECT_NE(result(setting), plain) << setting;
 }
 
+void expect_disjoint(const Use& use) {
+  EXPECT_EQ(use.by & use.not_modelled_by, 0u);
+  EXPECT_EQ(use.by & use.refused_by, 0u);
+  EXPECT_EQ(use.not_modelled_by & use.refused_by, 0u);
+}
+
+bool is_used_by_any(const Use& use) {
+  return use.by != 0u || std::ranges::any_of(use.ways, [](const Way& way) { return way.by != 0u; });
+}
+
 // A row states one status for each analysis.
 TEST(FieldUse, AnalysesOfARowAreDisjoint) {
   for (const Field& field : all_fields()) {
     SCOPED_TRACE(field.path);
-    EXPECT_EQ(field.use.by & field.use.not_modelled_by, 0u);
-    EXPECT_EQ(field.use.by & field.use.refused_by, 0u);
-    EXPECT_EQ(field.use.not_modelled_by & field.use.refused_by, 0u);
+    expect_disjoint(field.use);
+    bool used = is_used_by_any(field.use);
+    for (const auto& [model, use] : field.of_machines) {
+      expect_disjoint(use);
+      used = used || is_used_by_any(use);
+    }
     // A stage behind the sets has no effect on any of them: it is in the power flow of check.
-    const bool used = field.use.by != 0u ||
-                      std::ranges::any_of(field.use.ways, [](const Way& way) { return way.by != 0u; });
     EXPECT_NE(used, field.path == "parallel_stage.behind") << "a field that nothing uses";
   }
 }

@@ -139,12 +139,12 @@ TEST(BearingQuantities, HoldTheLifeByTheLoad) {
   BallsUnderLoad in = balls(0.0);
   in.loaded.capacities.dynamic_capacity = 10000.0;
   in.loaded.rotation.shaft_speed = 100.0;
-  const BearingQuantities found = quantities_of(in);
+  const BearingQuantities found = quantities_of(BallBearing{.run = in});
   ASSERT_TRUE(found.lives);
   EXPECT_NEAR(found.lives->basic / 1e9, 1.0, round_off);  // (C/P)^3
   EXPECT_TRUE(found.groove_distance);
   in.loaded.load.radial = 0.0;
-  EXPECT_FALSE(quantities_of(in).lives);
+  EXPECT_FALSE(quantities_of(BallBearing{.run = in}).lives);
 }
 
 }  // namespace

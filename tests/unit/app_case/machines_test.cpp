@@ -190,8 +190,8 @@ TEST(MachineOf, LeavesOutTheCageOfAFullComplement) {
                                       "bearing.cage.width=14 mm", "bearing.cage.density=7850 kg/m3"};
   std::vector<std::string> full = cage;
   full.insert(full.end(), {"bearing.complement=full", "bearing.rollers=18"});
-  EXPECT_TRUE(machine_of<analysis::RollersUnderLoad>(read(rollers, cage)).loaded.bearing.has_cage());
-  EXPECT_FALSE(machine_of<analysis::RollersUnderLoad>(read(rollers, full)).loaded.bearing.has_cage());
+  EXPECT_GT(machine_of<analysis::RollerBearing>(read(rollers, cage)).motion.cage.width, 0.0);
+  EXPECT_EQ(machine_of<analysis::RollerBearing>(read(rollers, full)).motion.cage.width, 0.0);
 }
 
 TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
@@ -276,6 +276,90 @@ TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
               Contains(HasSubstr("operation.shaft_speed: 900 rpm has no effect on modes of a duplex pair")));
 }
 
+use::Analysis used_by(described::Model model, const char* command) {
+  return machine_analysis(model, command)->used;
+}
+
+// The stiffness of a bearing takes what is between its rings.
+TEST(MachineAnalyses, TakeAPartOfABearing) {
+  EXPECT_THAT(paths_of<analysis::RollerSupport>(),
+              AllOf(Contains("bearing.profile"), Contains("bearing.laminae"), Not(Contains("bearing.bore")),
+                    Not(Contains("bearing.cage.width")), Not(Contains("material.density")),
+                    Not(Contains("operation.shaft_speed"))));
+  EXPECT_THAT(paths_of<analysis::BallSupport>(),
+              AllOf(Contains("material.density"), Contains("operation.outer_speed"),
+                    Not(Contains("operation.turning_race")), Not(Contains("lubricant.kinematic_viscosity"))));
+  EXPECT_THAT(paths_of<analysis::BallsInTime>(),
+              AllOf(Contains("bearing.cage.width"), Contains("bearing.bore"), Contains("heat.inlet")));
+}
+
+// Inputs of profile and oil have the uses of the member that they state.
+TEST(MachineAnalyses, UseInputsByTheMemberThatTheyState) {
+  const use::Analysis run = used_by(described::roller_bearing, "run"),
+                      stiffness = used_by(described::roller_bearing, "stiffness");
+  const std::vector<std::string> crown{"bearing.profile.kind=circular", "bearing.profile.drop=5 um"};
+  EXPECT_THAT(require_used(read(rollers, crown), run), IsEmpty());
+  EXPECT_THAT(require_used(read(rollers, crown), stiffness), IsEmpty());
+  EXPECT_THAT(require_used(read(rollers, {"bearing.profile.chamfer_length=1 mm"}), run),
+              Contains(HasSubstr("it counts only where bearing.profile.kind is chamfer")));
+  const std::vector<std::string> oil{"lubricant.grade=ISO VG 68", "life.cleanliness=high"};
+  EXPECT_THAT(require_used(read(rollers, oil), run), IsEmpty());
+  EXPECT_THAT(require_used(read(rollers, oil), stiffness),
+              Contains(HasSubstr("lubricant.grade: ISO VG 68 has no effect on stiffness")));
+}
+
+// Friction by a stated oil takes a grade beside a stated kappa.
+TEST(MachineAnalyses, UseAnOilForFriction) {
+  const use::Analysis run = used_by(described::roller_bearing, "run");
+  const std::vector<std::string> kappa{"lubricant.grade=ISO VG 68", "life.viscosity_ratio=2",
+                                       "life.contamination_factor=0.4"};
+  std::vector<std::string> at_rest = kappa;
+  at_rest.emplace_back("operation.shaft_speed=0 rpm");
+  EXPECT_THAT(require_used(read(rollers, kappa), run), IsEmpty());
+  EXPECT_THAT(require_used(read(rollers, at_rest), run), Contains(HasSubstr("lubricant.grade")));
+  // Data that belong to other conditions are no mistake of a file.
+  EXPECT_THAT(require_used(read(rollers + "  bore: 40 mm\n  width: 18 mm\n"), run), IsEmpty());
+}
+
+const std::string balls_in_time = R"(name: balls
+model: ball-bearing
+load: {radial: 400 N}
+operation: {shaft_speed: 6000 rpm}
+bearing:
+  balls: 9
+  ball_diameter: 7 mm
+  pitch_diameter: 36 mm
+  radial_clearance: 5 um
+  bore: 25 mm
+  width: 12 mm
+  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3}
+simulation: {duration: 0.01 s}
+)";
+
+TEST(MachineAnalyses, RefuseWhatTheyCannotInclude) {
+  const use::Analysis run = used_by(described::ball_motion, "run");
+  EXPECT_THAT(require_used(read(balls_in_time), run), IsEmpty());
+  EXPECT_THROW(require_used(read(balls_in_time, {"load.tilt=1 mrad"}), run), BadInput);
+  EXPECT_THAT(require_used(read(balls_in_time, {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s"}), run),
+              IsEmpty());  // of the cage's friction
+  EXPECT_THAT(require_used(read(balls_in_time, {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s",
+                                                "bearing.cage.pocket_friction=0", "bearing.cage.guide_land_diameter=0 mm"}),
+                           run),
+              Contains(HasSubstr("traction.sliding_scale")));
+}
+
+TEST(Machines, AreCheckedByParts) {
+  const std::string of_oil = "lubricant.kinematic_viscosity: a viscosity without cleanliness";
+  EXPECT_THAT(refusal_of(rollers, {"lubricant.kinematic_viscosity=20 mm2/s", "bearing.rollers=null"}),
+              AllOf(HasSubstr("bearing.rollers: missing"), HasSubstr(of_oil)));
+  EXPECT_THAT(refusal_of(rollers, {"load.moment=2 N.m", "load.tilt=1 mrad"}), HasSubstr("load.tilt: a tilt together with"));
+  EXPECT_THAT(refusal_of(rollers, {"bearing.laminae=1", "load.moment=2 N.m"}),
+              HasSubstr("bearing.laminae: a single lamina, which holds no moment; at least 2 laminae are required"));
+  EXPECT_THAT(refusal_of(rollers, {"lubricant.viscosity_40=68 mm2/s", "operation.shaft_speed=0 rpm"}),
+              HasSubstr("lubricant.viscosity_40: a viscosity for rings that do not rotate"));
+  EXPECT_THAT(refusal_of(balls_in_time, {"load.radial=0 N"}), HasSubstr("load.radial: no load"));
+}
+
 TEST(MachineAnalyses, FailuresNameTheCase) {
   const MachineAnalysis* modes = machine_analysis(described::duplex_pair, "modes");
   try {
@@ -287,14 +371,14 @@ TEST(MachineAnalyses, FailuresNameTheCase) {
 }
 
 TEST(MachineQuantities, AreListedInTheirUnits) {
-  const std::vector<Derived> of_duplex = machine_quantities(read(duplex));
+  const std::vector<Derived> of_duplex = machine_quantities(read(duplex)).rows;
   ASSERT_FALSE(of_duplex.empty());
   EXPECT_EQ(of_duplex.front().path, "pair.approach");
   EXPECT_EQ(of_duplex.front().unit, "um");
   EXPECT_GT(of_duplex.front().value, 1.0);
   EXPECT_EQ(of_duplex.back().path, "pair.inertia_y");
   EXPECT_EQ(of_duplex.back().unit, "kg.m2");
-  const std::vector<Derived> rows = machine_quantities(read(pair));
+  const std::vector<Derived> rows = machine_quantities(read(pair)).rows;
   const auto value = [&](const std::string& path) {
     const auto found = std::ranges::find(rows, path, &Derived::path);
     return found == rows.end() ? std::pair(0.0, std::string("none")) : std::pair(found->value, found->unit);
