@@ -21,14 +21,15 @@ namespace orbearing::described {
 class Columns {
  public:
   /// Receives a number [SI] by its name and may change it; not a number: there is none.
-  using OnNumber = std::function<void(std::string_view name, const Dimension& dimension, double& value)>;
-  using OnText = std::function<void(std::string_view name, std::string& text)>;
+  using TakeNumber = std::function<void(std::string_view name, const Dimension& dimension, double& value)>;
+  using TakeText = std::function<void(std::string_view name, std::string& text)>;
 
   /// Appends the values to `record`.
   explicit Columns(Record& record) : record_(&record) {}
   /// Passes them to functions. A part all of whose listed numbers a function takes away is removed; one that
   /// gets a number exists.
-  explicit Columns(OnNumber number, OnText text = {}) : number_(std::move(number)), text_(std::move(text)) {}
+  explicit Columns(TakeNumber number, TakeText text = {})
+      : number_(std::move(number)), text_(std::move(text)) {}
 
   /// A number [SI]: double, int, bool as 0 or 1, or an optional of these.
   template <class Number>
@@ -122,8 +123,8 @@ class Columns {
   };
 
   Record* record_ = nullptr;
-  OnNumber number_;
-  OnText text_;
+  TakeNumber number_;
+  TakeText text_;
   std::string prefix_;
   std::string whole_name_;
   bool known_ = true;  // false within a part that is missing
