@@ -92,7 +92,7 @@ int execute(const CrownOptions& options) {
       write_crown(options.output, result);
       others = checksums_of(options.output, {crown_file_name});
     }
-    folder.keep({{0, netcdf_of(header, study, record), row_of_values(folder.head()), std::move(others)}});
+    folder.keep({{0, netcdf_of(header, study, record), row_of_numbers({}, header), std::move(others)}});
   }
   present_result(result.object, result.text, options.print);
   if (result.failed == 0) return 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -103,7 +102,7 @@ int compute_and_keep(const ResolvedCase& resolved, const ResultPlace& place, con
     if (!folder.path().empty()) others = write_files(folder.path(), names, result, object);
     if (result.row.empty()) add_numbers("", shown.json, result.row);
     folder.keep({{0, result_file(header, names.title, result.record, result.status),
-                  row_of_values(folder.head(), result.row), std::move(others)}});
+                  row_of_numbers(result.row, header), std::move(others)}});
   }
   present_result(object, shown.text + assumed_effects_text(resolved, effects), print);
   return result.failed ? 1 : 0;
@@ -140,16 +139,6 @@ void present_record(const ResolvedCase& resolved, const Record& record,
   object["units"] = units_of(record);
   if (print.to.record) print.to.record(record);
   present_result(object, text_of(record) + more, print);
-}
-
-ResultRow row_of_values(const TableHead& head, const std::vector<std::pair<std::string, double>>& values) {
-  ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
-  for (const auto& [name, value] : values) {
-    const auto found = std::find(head.names.begin(), head.names.end(), name);
-    if (found != head.names.end() && std::isfinite(value))
-      row.values[static_cast<std::size_t>(found - head.names.begin())] = in_table_unit(value, 1.0);
-  }
-  return row;
 }
 
 int run_analysis(const ResolvedCase& resolved, const ResultPlace& place, const Printing& print,

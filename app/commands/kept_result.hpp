@@ -36,8 +36,4 @@ void present_record(const ResolvedCase& resolved, const Record& record,
                     const std::vector<std::string>& warnings, const Printing& print,
                     const std::string& more = "");
 
-/// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
-ResultRow row_of_values(const TableHead& head,
-                        const std::vector<std::pair<std::string, double>>& values = {});
-
 }  // namespace orbearing::app

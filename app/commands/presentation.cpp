@@ -61,11 +61,11 @@ void print_failures(const std::string& line, const Printing& print) {
 namespace {
 
 std::string first_failure(const SweepOutcome& outcome) {
-  for (const ResultRow& row : outcome.rows)
-    if (!row.ok()) return row.status;
+  for (const SweepRow& row : outcome.rows)
+    if (!row.ok()) return row.point.status;
   for (const SpectrumResult& result : outcome.spectra)
     for (const SpectrumBin& bin : result.bins)
-      if (bin.row && !bin.row->ok()) return bin.row->status;
+      if (bin.row && !bin.row->ok()) return bin.row->point.status;
   return "of a spectrum that is not whole";
 }
 
@@ -135,8 +135,8 @@ void put_execution(const ResultPlace& place, int jobs, const Printing& print, Sw
   request.resume = place.resume;
   request.quiet = print.quiet;
   if (print.to.point)
-    request.take_row = [&take = print.to.point](const TableHead& head, const ResultRow& row) {
-      take(row_json(head, row));
+    request.take_row = [&take = print.to.point](const ManifestHeader& header, const SweepRow& row) {
+      take(row_json(header, row));
     };
 }
 
@@ -153,7 +153,7 @@ std::vector<AssumedEffect> effects_at_rest(const ResolvedCase& resolved, const S
 std::optional<SkidRisk> skid_risk_of_run(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   if (!resolved.axes().empty() || outcome.rows.size() != 1 || !outcome.rows.front().ok()) return std::nullopt;
   const LoadSpectrum& spectrum = outcome.header.spectrum;
-  return skid_risk_of(outcome.head, outcome.header.sets, outcome.rows.front(),
+  return skid_risk_of(outcome.rows.front().point,
                       spectrum.bins.empty() ? kMinimumLoad : spectrum.minimum_load);
 }
 
@@ -217,10 +217,10 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
     const FoundPeak found = find_peak(outcome);
     if (before.record != nullptr) fmt::print("{}\n", text_of(*before.record));
     if (resolved.axes().empty() && outcome.rows.size() == 1 && outcome.header.fidelity != "quasi-static")
-      fmt::print("{}\n", motion_summary_text(outcome.head, outcome.header.sets, outcome.rows.front(),
-                                             skid_risk_of_run(resolved, outcome)));
-    fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
-               peak_text(outcome.head, outcome.rows, found.peak),
+      fmt::print("{}\n",
+                 motion_summary_text(outcome.rows.front().point, skid_risk_of_run(resolved, outcome)));
+    fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.header, outcome.rows),
+               peak_text(outcome.header, outcome.rows, found.peak),
                spectrum_text(outcome.header, outcome.spectra));
     if (const auto verdicts = verdicts_of(stated_requirements(resolved), outcome); !verdicts.empty())
       fmt::print("\n{}", verdicts_text(verdicts));

@@ -325,7 +325,7 @@ class SignalSet {
                             {signal_file(folder_, number, ".json"), labels_[number].dump(2) + "\n"}});
     const AnalysisResult result = defect_result(study, false);
     folder_.keep({{number, result_file(header_, analysis_of(resolved_)->names.title, result.record),
-                   row_of_values(folder_.head(), result.row)}});
+                   row_of_numbers(result.row, header_)}});
   }
 
   const ResolvedCase& resolved_;

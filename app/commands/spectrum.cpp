@@ -14,7 +14,6 @@
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 #include "app/study/analysis.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"

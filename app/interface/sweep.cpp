@@ -56,17 +56,20 @@ study::PointResult point_with(const app::ResolvedCase& point, const std::vector<
 }
 
 // Without the columns that hold text.
-Points points_of(const app::TableHead& head, const std::vector<app::ResultRow>& rows) {
-  std::vector<std::size_t> taken;
+std::vector<std::pair<std::string, double>> numbers_of(const app::ManifestHeader& header,
+                                                       const app::SweepRow& row) {
+  std::vector<std::pair<std::string, double>> numbers = app::named_numbers(header, row);
+  std::erase_if(numbers, [](const auto& one) { return one.first == app::refined_column; });
+  return numbers;
+}
+
+Points points_of(const app::ManifestHeader& header, const std::vector<app::SweepRow>& rows) {
   Points points;
-  for (std::size_t i = 0; i < head.names.size(); ++i) {
-    if (i == head.status_location || i == head.set_place || i == head.refined_location) continue;
-    taken.push_back(i);
-    points.columns.push_back(head.names[i]);
-  }
-  for (const app::ResultRow& row : rows) {
-    for (const std::size_t i : taken) points.numbers.push_back(row.values[i]);
-    points.status.push_back(row.status);
+  for (const auto& [name, number] : numbers_of(header, app::row_of_numbers({}, header)))
+    points.columns.push_back(name);
+  for (const app::SweepRow& row : rows) {
+    for (const auto& [name, number] : numbers_of(header, row)) points.numbers.push_back(number);
+    points.status.push_back(row.point.status);
   }
   return points;
 }
@@ -88,20 +91,20 @@ Points evaluate(const Case& stated, const std::vector<std::string>& paths, const
   app::require_computable(point, fidelity, false);
   if (without_effect == WithoutEffect::refused)
     app::require_effect({point}, app::rung_of(point, fidelity), paths);
-  const std::vector<std::string> sets = app::bearing_set_names(point);
-  std::vector<app::ResultRow> rows(values.size() / paths.size());
+  const app::ManifestHeader header{.sets = app::bearing_set_names(point)};
+  std::vector<app::SweepRow> rows(values.size() / paths.size());
   std::mutex telling;
   std::size_t finished = 0;
   study::in_parallel(rows.size(), jobs, [&](std::size_t index) {
     std::vector<app::Setting> settings;
     for (std::size_t i = 0; i < paths.size(); ++i)
       settings.push_back({paths[i], "", values[index * paths.size() + i]});
-    rows[index] = app::result_row(point_with(point, settings, level), {}, sets);
+    rows[index] = app::sweep_row(point_with(point, settings, level), header);
     if (!done) return;
     const std::scoped_lock lock(telling);
     done(++finished);
   });
-  return points_of(app::table_head({}, sets), rows);
+  return points_of(header, rows);
 }
 
 }  // namespace orbearing

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/case/case_file.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/table_study.hpp"
 #include "coupling/study/parallel.hpp"
 #include "orbearing/sweep.hpp"

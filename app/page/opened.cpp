@@ -126,7 +126,7 @@ Json results_json(const Opened& opened) {
   }
   const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
   Json points = Json::array();
-  for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
+  for (const SweepRow& row : outcome.rows) points.push_back(row_json(outcome.header, row));
   const MissingPoints missing = missing_points(resolved, manifest);
   object["finished"] = missing.none();
   object["missing"] = missing_json(missing, manifest);

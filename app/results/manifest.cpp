@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -20,7 +19,6 @@ using Json = nlohmann::ordered_json;
 struct Damaged : std::exception {};
 
 constexpr int manifest_format = 3;
-constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have points
 
 Json spectrum_line(const LoadSpectrum& spectrum) {
   Json bins = Json::array();
@@ -76,7 +74,7 @@ void add_entry(Manifest& manifest, const Json& object) {
   const bool named = file == point_file_name(point) || (file.empty() && !manifest.header->table.empty());
   if (!of_this_sweep || !named) throw Damaged{};
   ManifestEntry entry{file, object.at("checksum").get<std::string>(),
-                      row_from_json(head_of(*manifest.header), object.at("row"))};
+                      row_from_json(*manifest.header, object.at("row"))};
   if (object.contains("others")) entry.others = object.at("others").get<std::map<std::string, std::string>>();
   manifest.entries[point] = std::move(entry);
 }
@@ -112,38 +110,21 @@ void add_line(Manifest& manifest, std::string_view line) {
     manifest.header = header_from(object);
 }
 
-bool is_number(const std::string& text, std::size_t& number) {
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  return read.ec == std::errc() && read.ptr == end && !text.empty();
-}
-
 }  // namespace
-
-TableHead head_of(const ManifestHeader& header) {
-  TableHead head = table_head(header.axes, header.sets, header.resonances);
-  head.life = header.life;
-  return head;
-}
 
 namespace {
 
 using Entries = std::map<std::size_t, ManifestEntry>;
 
-double speed_in_row(const TableHead& head, const ResultRow& row) {
-  return value_of(head, row, "input_speed_rpm");
-}
-
 /// The grid's point with the next lower speed among those that differ from `row` in speed alone.
-std::size_t grid_point_below(const ManifestHeader& header, const TableHead& head, const Entries& entries,
-                             const ResultRow& row) {
+std::size_t grid_point_below(const ManifestHeader& header, const Entries& entries, const SweepRow& row) {
   std::optional<std::size_t> below;
   double best = -std::numeric_limits<double>::infinity();
   for (const auto& [point, entry] : entries) {
     if (point >= header.grid()) break;
-    const double speed = speed_in_row(head, entry.row);
-    if (!header.holds(point) || !on_one_line(head, entry.row, row)) continue;
-    if (speed > speed_in_row(head, row) || speed < best) continue;
+    const double speed = entry.row.point.input_speed;
+    if (!header.holds(point) || !on_one_line(entry.row, row)) continue;
+    if (speed > row.point.input_speed || speed < best) continue;
     best = speed;
     below = point;
   }
@@ -151,24 +132,23 @@ std::size_t grid_point_below(const ManifestHeader& header, const TableHead& head
 }
 
 /// Added rows by the number of the grid's point that they follow, in ascending order of speed.
-std::multimap<std::size_t, const ResultRow*> added_rows(const ManifestHeader& header, const TableHead& head,
-                                                        const Entries& entries) {
-  std::vector<const ResultRow*> added;
+std::multimap<std::size_t, const SweepRow*> added_rows(const ManifestHeader& header, const Entries& entries) {
+  std::vector<const SweepRow*> added;
   for (const auto& [point, entry] : entries)
     if (header.adds(point)) added.push_back(&entry.row);
-  std::sort(added.begin(), added.end(), [&](const ResultRow* one, const ResultRow* other) {
-    return speed_in_row(head, *one) < speed_in_row(head, *other);
+  std::sort(added.begin(), added.end(), [&](const SweepRow* one, const SweepRow* other) {
+    return one->point.input_speed < other->point.input_speed;
   });
-  std::multimap<std::size_t, const ResultRow*> following;
-  for (const ResultRow* row : added) following.emplace(grid_point_below(header, head, entries, *row), row);
+  std::multimap<std::size_t, const SweepRow*> following;
+  for (const SweepRow* row : added) following.emplace(grid_point_below(header, entries, *row), row);
   return following;
 }
 
 }  // namespace
 
-std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header, const Entries& entries) {
-  const auto following = added_rows(header, head_of(header), entries);
-  std::vector<ResultRow> rows;
+std::vector<SweepRow> rows_in_table_order(const ManifestHeader& header, const Entries& entries) {
+  const auto following = added_rows(header, entries);
+  std::vector<SweepRow> rows;
   for (const auto& [point, entry] : entries) {
     if (point >= header.grid()) break;
     rows.push_back(entry.row);
@@ -180,37 +160,6 @@ std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header, const E
 
 std::string point_file_name(std::size_t point) {
   return fmt::format("points/{:05}.nc", point);
-}
-
-std::string to_string(const Shard& shard) {
-  return fmt::format("{}/{}", shard.index, shard.count);
-}
-
-std::string to_string(Direction direction) {
-  return direction == Direction::up ? "up" : "down";
-}
-
-Direction parse_direction(const std::string& text) {
-  if (text == "up") return Direction::up;
-  if (text == "down") return Direction::down;
-  throw Damaged{};
-}
-
-Shard parse_shard(const std::string& text) {
-  Shard shard;
-  const std::size_t stroke = text.find('/');
-  if (stroke == std::string::npos || !is_number(text.substr(0, stroke), shard.index) ||
-      !is_number(text.substr(stroke + 1), shard.count) || shard.index < 1 || shard.index > shard.count ||
-      shard.count > most_shards)
-    throw BadInput(
-        fmt::format("--shard: '{}'; i/n with i from 1 to n, and n at most {}, is required, as in --shard 2/3",
-                    text, most_shards));
-  return shard;
-}
-
-std::size_t ManifestHeader::own_points() const {
-  if (!shard) return points;
-  return points / shard->count + (points % shard->count >= shard->index ? 1 : 0);
 }
 
 std::string header_line(const ManifestHeader& header) {
@@ -236,11 +185,11 @@ std::string header_line(const ManifestHeader& header) {
   return sealed_line(object.dump());
 }
 
-std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry) {
+std::string entry_line(const ManifestHeader& header, std::size_t point, const ManifestEntry& entry) {
   Json object = {{"point", point},
                  {"file", entry.file},
                  {"checksum", entry.checksum},
-                 {"row", row_json(head, entry.row)}};
+                 {"row", row_json(header, entry.row)}};
   if (!entry.others.empty()) object["others"] = entry.others;
   return sealed_line(object.dump());
 }
@@ -270,27 +219,6 @@ Manifest parse_manifest(std::string_view text, const std::string& location) {
     manifest.sound_bytes = end + 1;
   }
   return manifest;
-}
-
-std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required) {
-  std::vector<std::string> lines;
-  const auto compare = [&](const char* what, const std::string& one, const std::string& other) {
-    if (one != other) lines.push_back(fmt::format("{} '{}' was found; '{}' is required", what, one, other));
-  };
-  compare("case", found.case_name, required.case_name);
-  compare("resolved case with hash", found.case_hash, required.case_hash);
-  compare("program version", found.program_version, required.program_version);
-  compare("instruction set", found.instruction_set, required.instruction_set);
-  compare("fidelity", found.fidelity, required.fidelity);
-  const auto way = [](const ManifestHeader& header) {
-    return header.continued ? to_string(*header.continued) : "none";
-  };
-  compare("direction of --continue", way(found), way(required));
-  const auto grid_or_peak = [](const ManifestHeader& header) { return header.refined ? "on" : "off"; };
-  compare("refinement of the peak", grid_or_peak(found), grid_or_peak(required));
-  compare("table", found.table, required.table);
-  compare("number of points", std::to_string(found.points), std::to_string(required.points));
-  return lines;
 }
 
 }  // namespace orbearing::app

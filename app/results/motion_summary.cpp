@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "app/results/sweep_row.hpp"
 
 namespace orbearing::app {
 
@@ -14,62 +18,54 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-// Prefixes of the columns of each set.
-std::vector<std::string> prefixes_of(const std::vector<std::string>& sets) {
-  std::vector<std::string> prefixes;
-  for (const std::string& set : sets) prefixes.push_back("sets." + set + ".");
-  if (prefixes.empty()) prefixes.emplace_back();
-  return prefixes;
-}
+constexpr std::string_view kLossOf = "power_loss_";
 
 // "power_loss_inner_traction_W": "inner traction".
-std::string cause_of(const std::string& column, const std::string& begin) {
-  std::string cause = column.substr(begin.size(), column.size() - begin.size() - 2);
+std::string cause_of(std::string_view column) {
+  std::string cause(column.substr(kLossOf.size(), column.size() - kLossOf.size() - 2));
   std::ranges::replace(cause, '_', ' ');
   return cause;
 }
 
-// All columns of one set that begin so and have a value, the largest first.
-std::vector<std::pair<double, std::string>> losses_of(const TableHead& head, const ResultRow& row,
-                                                      const std::string& prefix) {
-  const std::string begin = prefix + "power_loss_";
+// Power losses by cause [W], the largest first.
+std::vector<std::pair<double, std::string>> losses_of(study::PointRow point) {
   std::vector<std::pair<double, std::string>> losses;
-  for (const std::string& name : head.names)
-    if (name.starts_with(begin) && name.size() > begin.size() + 2)
-      if (const double value = value_of(head, row, name); value != 0.0 && std::isfinite(value))
-        losses.emplace_back(value, cause_of(name, begin));
+  described::Columns columns([&](std::string_view name, const described::Dimension&, double& value) {
+    if (name.starts_with(kLossOf) && name != "power_loss_W" && value != 0.0 && std::isfinite(value))
+      losses.emplace_back(value, cause_of(name));
+  });
+  list(columns, point);
   std::ranges::stable_sort(losses, std::ranges::greater{},
                            [](const auto& one) { return std::abs(one.first); });
   return losses;
 }
 
-std::string slip_text(const TableHead& head, const ResultRow& row, const std::string& prefix) {
+std::string slip_text(const study::PointRow& point) {
+  const double rollers = point.motion ? point.motion->roller_slip : study::PointRow::kNone;
   std::vector<std::string> slips;
-  for (const auto& [name, what] : {std::pair{"cage_slip", "cage"}, std::pair{"roller_slip", "rollers"}})
-    if (const double slip = value_of(head, row, prefix + name); std::isfinite(slip))
-      slips.push_back(fmt::format("{} {:.3g} %", what, kPercent * slip));
-  return slips.empty() ? "" : fmt::format("slip: {}", fmt::join(slips, ", "));
+  for (const auto& [slip, what] : {std::pair{point.cage_slip, "cage"}, std::pair{rollers, "rollers"}})
+    if (std::isfinite(slip)) slips.push_back(fmt::format("{} {:.3g} %", what, kPercent * slip));
+  return slips.empty() ? "" : fmt::format("slip: {}\n", fmt::join(slips, ", "));
 }
 
-std::string loss_text(const TableHead& head, const ResultRow& row, const std::string& prefix) {
-  const double all = value_of(head, row, prefix + "power_loss_W");
-  if (!std::isfinite(all)) return "";
+std::string loss_text(const study::PointRow& point) {
+  if (!std::isfinite(point.power_loss)) return "";
   std::vector<std::string> causes;
-  for (const auto& [loss, cause] : losses_of(head, row, prefix))
-    causes.push_back(fmt::format("{} {:.3g}", cause, loss));
-  return fmt::format("power loss of one bearing: {:.4g} W: {}", all, fmt::join(causes, ", "));
+  for (const auto& [loss, cause] : losses_of(point)) causes.push_back(fmt::format("{} {:.3g}", cause, loss));
+  return fmt::format("power loss of one bearing: {:.4g} W: {}\n", point.power_loss, fmt::join(causes, ", "));
 }
 
 }  // namespace
 
-std::optional<SkidRisk> skid_risk_of(const TableHead& head, const std::vector<std::string>& sets,
-                                     const ResultRow& row, double minimum_load) {
+std::optional<SkidRisk> skid_risk_of(const study::PointNumbers& point, double minimum_load) {
   SkidRisk risk{std::numeric_limits<double>::infinity(), minimum_load};
-  for (const std::string& prefix : prefixes_of(sets)) {
-    const double ratio = value_of(head, row, prefix + "P_N") / value_of(head, row, prefix + "C_N");
-    if (std::isnan(ratio)) return std::nullopt;
-    risk.load_ratio = std::min(risk.load_ratio, ratio);
-  }
+  const auto take = [&](const bearing::rating::RatingLives& lives) {
+    risk.load_ratio = std::min(risk.load_ratio, lives.dynamic_load / lives.dynamic_capacity);
+    return !std::isnan(lives.dynamic_load / lives.dynamic_capacity);
+  };
+  if (point.sets.empty() && !take(point.rating.lives)) return std::nullopt;
+  for (const study::SetResult& set : point.sets)
+    if (!take(set.rating.lives)) return std::nullopt;
   return risk;
 }
 
@@ -82,13 +78,9 @@ void describe(described::Record& record, const SkidRisk& risk) {
   record.value("minimum_load", ratio, "P/C below which rolling elements may skid", risk.minimum_load);
 }
 
-std::string motion_summary_text(const TableHead& head, const std::vector<std::string>& sets,
-                                const ResultRow& row, const std::optional<SkidRisk>& risk) {
-  if (!row.ok()) return "";
-  std::string text;
-  for (const std::string& prefix : prefixes_of(sets))
-    for (const std::string& line : {slip_text(head, row, prefix), loss_text(head, row, prefix)})
-      if (!line.empty()) text += fmt::format("{}{}\n", prefix.empty() ? "" : prefix + " ", line);
+std::string motion_summary_text(const study::PointRow& point, const std::optional<SkidRisk>& risk) {
+  if (!is_computed(point.status)) return "";
+  std::string text = point.sets.empty() ? slip_text(point) + loss_text(point) : "";
   if (risk)
     text += fmt::format("skid risk: {}: P/C {:.3g}, minimum load {:g}\n", risk->present() ? "yes" : "no",
                         risk->load_ratio, risk->minimum_load);

@@ -4,10 +4,9 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
+#include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -21,15 +20,13 @@ struct SkidRisk {
   bool present() const { return load_ratio < minimum_load; }
 };
 
-/// Skid risk of the row's bearing, of several sets of the least loaded one; none where a load is not known.
-std::optional<SkidRisk> skid_risk_of(const TableHead& head, const std::vector<std::string>& sets,
-                                     const ResultRow& row, double minimum_load = kMinimumLoad);
+/// Skid risk of the point's bearing, of several sets of the least loaded one; none where a load is not known.
+std::optional<SkidRisk> skid_risk_of(const study::PointNumbers& point, double minimum_load = kMinimumLoad);
 
 void describe(described::Record& record, const SkidRisk& risk);
 
-/// Lines for terminals: slip of cage and rollers, power loss by cause (each where the row has them), skid
-/// risk. Empty of a row that failed.
-std::string motion_summary_text(const TableHead& head, const std::vector<std::string>& sets,
-                                const ResultRow& row, const std::optional<SkidRisk>& risk);
+/// Lines for terminals: slip of cage and rollers, power loss by cause (of a single set, where the row has
+/// them), skid risk. Empty of a point that failed.
+std::string motion_summary_text(const study::PointRow& point, const std::optional<SkidRisk>& risk);
 
 }  // namespace orbearing::app

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 
 namespace orbearing::app {
 
@@ -43,7 +42,9 @@ class Arrays {
     for (const Record* record : bundle.records) {
       if (record == nullptr) continue;
       for (const described::Entry& entry : record->entries()) {
-        if (std::find(done.begin(), done.end(), entry.name + described::name_without_unit(entry)) != done.end()) continue;
+        if (std::find(done.begin(), done.end(), entry.name + described::name_without_unit(entry)) !=
+            done.end())
+          continue;
         done.push_back(entry.name + described::name_without_unit(entry));
         const Same same = same_entries(bundle, entry);
         const auto given = std::ranges::find_if(same, [](const described::Entry* one) {

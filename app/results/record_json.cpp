@@ -4,7 +4,6 @@
 #include <set>
 
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 
 namespace orbearing::app {
 
@@ -75,10 +74,6 @@ void add_units(const Record& record, const std::string& above, std::vector<UnitO
 }
 
 }  // namespace
-
-double in_customary_unit(const described::Dimension& dimension, double value) {
-  return in_table_unit(value, 1.0 / dimension.factor);
-}
 
 Json json_of(const Record& record) {
   Json object = Json::object();

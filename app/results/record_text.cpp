@@ -324,6 +324,19 @@ std::string text_of(const Record& record) {
   return lines_text(lines) + tables_text(record, "") + long_lists;
 }
 
+std::string csv_names(const Record& record) {
+  return csv_line(record.entries(), [](const described::Entry& entry) { return csv_field(entry.name); });
+}
+
+std::string csv_values(const Record& record) {
+  return csv_line(record.entries(), [](const described::Entry& entry) {
+    if (const auto* text = std::get_if<std::string>(&entry.content)) return csv_field(*text);
+    const Numbers& numbers = std::get<Numbers>(entry.content);
+    return in_csv(
+        {.number = in_customary_unit(entry.dimension, numbers.values.front()), .kind = numbers.kind});
+  });
+}
+
 std::string csv_of(const described::Entry& table) {
   if (const auto* arrays = std::get_if<described::Child>(&table.content))
     return csv_of_arrays(arrays->one.front());

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/number_text.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
@@ -51,6 +52,9 @@ struct PointContent {
 };
 
 using described::Record;
+
+/// The value of a column that has none.
+inline constexpr double not_given = described::kAbsent;
 
 /// Dimensions of numbers that are stored in the unit in which they are shown.
 inline constexpr described::Dimension in_rpm{"angular speed", "rpm", "rpm", ""};
@@ -95,8 +99,22 @@ std::string csv_of(const described::Entry& table);
 /// dimension.
 PointContent content_of(const Record& record);
 
-/// A number [SI] in the customary unit, to the 15 digits that a conversion leaves of it, so that 6000 rpm,
-/// held as rad/s, is 6000 rpm again. What is not finite is absent.
-double in_customary_unit(const described::Dimension& dimension, double value);
+/// Names and single values of a record as lines of a table.
+std::string csv_names(const Record& record);
+std::string csv_values(const Record& record);
+
+/// `value` x `per_unit` to 15 significant digits, which is what a conversion leaves of a double; so that
+/// 6000 rpm, held as rad/s, is 6000 rpm again. What is not finite is absent.
+inline double in_table_unit(double value, double per_unit) {
+  return mechanics::in_unit(value, per_unit);
+}
+/// A number [SI] in the customary unit, likewise.
+inline double in_customary_unit(const described::Dimension& dimension, double value) {
+  return in_table_unit(value, 1.0 / dimension.factor);
+}
+/// A speed [rad/s] as results show speeds [rpm].
+inline double speed_in_rpm(double speed) {
+  return in_customary_unit(described::dimension::angular_speed, speed);
+}
 
 }  // namespace orbearing::app

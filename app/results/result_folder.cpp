@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstdio>
 #include <system_error>
 
 #include "app/checksum.hpp"
 #include "app/errors.hpp"
-#include "app/results/result_row.hpp"
 #include "app/results/spectrum_life.hpp"
 #include "app/standard_error.hpp"
 
@@ -130,7 +128,7 @@ std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
 
 ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
                            OpenMode mode)
-    : folder_(std::move(folder)), header_(header), head_(head_of(header)) {
+    : folder_(std::move(folder)), header_(header) {
   require_usable(folder_, header, mode);
   make_folder(folder_);
   manifest_ = AppendOnlyFile(folder_ / manifest_name);
@@ -181,10 +179,9 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
   std::string lines;
   std::map<std::size_t, ManifestEntry> kept;
   for (FinishedPoint& point : points) {
-    assert(point.row.values.size() == head_.names.size());
     ManifestEntry entry{name_of(point), checksum(point.content), std::move(point.row),
                         std::move(point.others)};
-    lines += entry_line(head_, point.index, entry);
+    lines += entry_line(header_, point.index, entry);
     kept.insert_or_assign(point.index, std::move(entry));
   }
   if (!in_memory()) manifest_.append(lines);
@@ -201,8 +198,8 @@ void ResultFolder::discard() {
 
 void ResultFolder::write_table() const {
   if (in_memory()) return;
-  std::string text = csv_head(head_);
-  for (const ResultRow& row : rows_in_table_order(header_, finished_)) text += csv_line(head_, row);
+  std::string text = csv_head(header_);
+  for (const SweepRow& row : rows_in_table_order(header_, finished_)) text += csv_line(header_, row);
   write_aside_and_rename(folder_ / table_name, text);
   const std::vector<SpectrumResult> spectra = spectrum_results(header_, finished_);
   if (!spectra.empty()) write_aside_and_rename(folder_ / spectrum_name, spectrum_csv(header_, spectra));

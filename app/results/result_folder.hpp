@@ -17,7 +17,7 @@ enum class OpenMode { fresh, resume };
 struct FinishedPoint {
   std::size_t index = 0;
   std::string content;  // bytes of its netCDF file; empty: it has none
-  ResultRow row;
+  SweepRow row;
   std::map<std::string, std::string> others{};  // further files in the folder: check sums by name
 };
 
@@ -37,7 +37,7 @@ class ResultFolder {
                OpenMode mode);
 
   /// No folder: rows are kept in memory, and nothing is written.
-  explicit ResultFolder(const ManifestHeader& header) : header_(header), head_(head_of(header)) {}
+  explicit ResultFolder(const ManifestHeader& header) : header_(header) {}
 
   /// Finished points whose files are complete in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
@@ -57,7 +57,7 @@ class ResultFolder {
   /// Discards all files of the folder. For a fresh one only; nothing may be kept afterwards.
   void discard();
 
-  const TableHead& head() const { return head_; }
+  const ManifestHeader& header() const { return header_; }
   const std::filesystem::path& path() const { return folder_; }
 
  private:
@@ -66,7 +66,6 @@ class ResultFolder {
 
   std::filesystem::path folder_;
   ManifestHeader header_;
-  TableHead head_;
   AppendOnlyFile manifest_;
   std::map<std::size_t, ManifestEntry> finished_;
   std::vector<std::string> damaged_;

@@ -3,6 +3,7 @@ set(ORBEARING_RESULTS_SOURCES
   results/durable_file.cpp
   results/life_table.cpp
   results/manifest.cpp
+  results/manifest_header.cpp
   results/merge.cpp
   results/motion_summary.cpp
   results/point_file.cpp
@@ -12,8 +13,8 @@ set(ORBEARING_RESULTS_SOURCES
   results/record_schema.cpp
   results/record_text.cpp
   results/result_folder.cpp
-  results/result_row.cpp
   results/spectrum_life.cpp
+  results/sweep_row.cpp
   results/sweep_run.cpp
   results/sweep_table.cpp
   results/verdicts.cpp

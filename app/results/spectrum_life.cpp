@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/results/motion_summary.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
 
@@ -24,59 +24,131 @@ namespace dimension = described::dimension;
 
 constexpr double infinite_life = std::numeric_limits<double>::infinity();
 
-/// A column of lives. Where `beside` has no number either, a point that was computed carries no load and
-/// lives for ever; else the life is not known, as by film and cleanliness without an oil.
+/// A life in the rows of bins. Where `beside` has no number either, a point that was computed carries no load
+/// and lives for ever; else the life is not known, as by film and cleanliness without an oil.
+using LifeInRow = std::function<double(const study::PointRow& point)>;
+
 struct LifeColumn {
   std::string name;
-  std::string beside;
+  LifeInRow life;
+  LifeInRow beside;
   bool in_revolutions = false;
-  std::string alike{};  // column of bins with equal loads of all bearings, where other bins differ
+  LifeInRow alike{};  // of bins with equal loads of all bearings, where other bins differ
 };
 
 /// Lives of one bearing in hours: of rows, of sets and, with "system_" before them, of all bearings together.
 constexpr std::array<const char*, 5> kHours{"life_h", "L10h", "L10rh", "L10mh", "L10mrh"};
 
+struct Hours {
+  double lundberg_palmgren = not_given;
+  bearing::rating::RatedHours rated{};
+};
+using HoursInRow = std::function<Hours(const study::PointRow& point)>;
+
+// The life in the place `k` of kHours.
+LifeInRow life_at(std::size_t k, const HoursInRow& hours) {
+  if (!hours) return {};
+  return [k, hours](const study::PointRow& point) {
+    const Hours all = hours(point);
+    return k == 0 ? all.lundberg_palmgren : all.rated.*bearing::rating::kRatedHours[k - 1];
+  };
+}
+
+/// Columns of lives whose names begin alike; members as those of LifeColumn.
+struct ColumnsOfHours {
+  std::string prefix;
+  HoursInRow hours;
+  HoursInRow beside;
+  HoursInRow alike{};
+};
+
+std::vector<ColumnsOfHours> hours_of_point() {
+  using study::PointRow;
+  const HoursInRow own = [](const PointRow& point) { return Hours{point.life_hours, point.rating.hours}; };
+  const HoursInRow system = [](const PointRow& point) {
+    return Hours{point.system_life_hours, point.rating.system_hours};
+  };
+  const HoursInRow shortest = [](const PointRow& point) {
+    return Hours{point.unlike.shortest_hours, point.unlike.shortest_rated};
+  };
+  const HoursInRow carrier = [](const PointRow& point) {
+    return point.carrier ? Hours{point.carrier->life_hours, point.carrier->rated_hours} : Hours{};
+  };
+  return {{"", own, own},
+          {"system_", system, system},
+          {"shortest_", shortest, own, own},
+          {"carrier_", carrier, own}};
+}
+
+std::vector<ColumnsOfHours> hours_of_set(const std::string& name, std::size_t i) {
+  const HoursInRow own = [i](const study::PointRow& point) {
+    return Hours{point.sets[i].life_hours, point.sets[i].rating.hours};
+  };
+  const HoursInRow shortest = [i](const study::PointRow& point) {
+    return Hours{point.sets[i].unlike.shortest_hours, point.sets[i].unlike.shortest_rated};
+  };
+  return {{column_prefix(name), own, own}, {column_prefix(name) + "shortest_", shortest, own, own}};
+}
+
+void add_hours(const std::vector<ColumnsOfHours>& all, std::vector<LifeColumn>& columns) {
+  for (std::size_t k = 0; k < kHours.size(); ++k)
+    for (const ColumnsOfHours& one : all)
+      columns.push_back({one.prefix + kHours[k], life_at(k, one.hours), life_at(0, one.beside), false,
+                         life_at(k, one.alike)});
+}
+
+void add_revolutions(std::vector<LifeColumn>& columns) {
+  using study::PointRow;
+  const auto in_millions = [](const LifeInRow& life) {
+    return [life](const PointRow& point) {
+      return in_customary_unit(described::dimension::revolutions, life(point));
+    };
+  };
+  const auto add = [&](const std::string& name, const LifeInRow& life, const LifeInRow& beside) {
+    columns.push_back({name, in_millions(life), in_millions(beside), true});
+  };
+  const auto own = [](const PointRow& point) { return point.life; };
+  const auto inner = [](const PointRow& point) { return point.inner.life; };
+  const auto outer = [](const PointRow& point) { return point.outer.life; };
+  using Lives = bearing::rating::RatingLives;
+  const auto rated = [](double (*life)(const Lives&)) {
+    return [life](const PointRow& point) { return life(point.rating.lives); };
+  };
+  add("life_Mrev", own, own);
+  add("L10_Mrev", rated([](const Lives& lives) { return lives.basic; }), own);
+  add("L10r_Mrev", rated([](const Lives& lives) { return lives.reference.bearing; }), own);
+  add("L10m_Mrev", rated([](const Lives& lives) { return lives.modified; }), own);
+  add("L10mr_Mrev", rated([](const Lives& lives) { return lives.modified_reference.bearing; }), own);
+  add("inner_life_Mrev", inner, inner);
+  add("inner_L10m_Mrev", rated([](const Lives& lives) { return lives.modified_reference.inner; }), inner);
+  add("outer_life_Mrev", outer, outer);
+  add("outer_L10m_Mrev", rated([](const Lives& lives) { return lives.modified_reference.outer; }), outer);
+}
+
 std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
   std::vector<LifeColumn> columns;
-  for (const std::string hours : kHours) {
-    columns.push_back({hours, "life_h"});
-    columns.push_back({"system_" + hours, "system_life_h"});
-    columns.push_back({"shortest_" + hours, "life_h", false, hours});
-    columns.push_back({"carrier_" + hours, "life_h"});
-  }
-  for (const char* revolutions : {"life_Mrev", "L10_Mrev", "L10r_Mrev", "L10m_Mrev", "L10mr_Mrev"})
-    columns.push_back({revolutions, "life_Mrev", true});
-  for (const std::string race : {"inner", "outer"})
-    for (const char* life : {"_life_Mrev", "_L10m_Mrev"})
-      columns.push_back({race + life, race + "_life_Mrev", true});
-  for (const std::string& set : header.sets)
-    for (const std::string hours : kHours) {
-      const std::string of = column_prefix(set);
-      columns.push_back({of + hours, of + "life_h"});
-      columns.push_back({of + "shortest_" + hours, of + "life_h", false, of + hours});
-    }
+  add_hours(hours_of_point(), columns);
+  add_revolutions(columns);
+  for (std::size_t i = 0; i < header.sets.size(); ++i) add_hours(hours_of_set(header.sets[i], i), columns);
   return columns;
 }
 
-double life_in_row(const TableHead& head, const ResultRow& row, const LifeColumn& column) {
-  const double life = value_of(head, row, column.name);
+double life_in_row(const SweepRow& row, const LifeInRow& life_of, const LifeInRow& beside) {
+  const double life = life_of(row.point);
   if (std::isfinite(life) || !row.ok()) return life;
-  return std::isfinite(value_of(head, row, column.beside)) ? not_given : infinite_life;
+  return std::isfinite(beside(row.point)) ? not_given : infinite_life;
 }
 
-Eigen::ArrayXd lives_in_bins(const TableHead& head, const std::vector<SpectrumBin>& bins,
-                             const LifeColumn& column) {
+Eigen::ArrayXd lives_in_bins(const std::vector<SpectrumBin>& bins, const LifeColumn& column) {
   const auto has_own = [&](const SpectrumBin& bin) {
-    return bin.row && std::isfinite(value_of(head, *bin.row, column.name));
+    return bin.row && std::isfinite(column.life(bin.row->point));
   };
-  const bool unlike = !column.alike.empty() && std::ranges::any_of(bins, has_own);
+  const bool unlike = column.alike && std::ranges::any_of(bins, has_own);
   Eigen::ArrayXd lives(static_cast<Eigen::Index>(bins.size()));
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    const bool alike = unlike && !has_own(bins[i]);
+    const LifeInRow& life = unlike && !has_own(bins[i]) ? column.alike : column.life;
     lives[static_cast<Eigen::Index>(i)] =
-        bins[i].row
-            ? life_in_row(head, *bins[i].row, alike ? LifeColumn{column.alike, column.beside} : column)
-            : infinite_life;
+        bins[i].row ? life_in_row(*bins[i].row, life, column.beside) : infinite_life;
   }
   return lives;
 }
@@ -120,25 +192,26 @@ void take_worst_bearing(const ManifestHeader& header, SpectrumResult& result) {
 }
 
 // The life of that name of the worst bearing, bin by bin.
-LifeColumn column_of_worst(const SpectrumResult& result, const std::string& life) {
+const LifeColumn& column_of_worst(const std::vector<LifeColumn>& columns, const SpectrumResult& result,
+                                  const std::string& life) {
   WorstBearing worst = worst_bearing(life, {}, [&](const std::string& name) {
     return life_of(result, column_prefix(result.worst.set) + name);
   });
   worst.set = result.worst.set;
-  const std::string of = column_prefix(worst.set);
-  return {worst.column(), of + "life_h", false, worst.key.starts_with("shortest_") ? of + life : ""};
+  return *std::ranges::find(columns, worst.column(), &LifeColumn::name);
 }
 
-void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResult& result) {
-  for (const LifeColumn& column : life_columns(header))
+void put_lives(const ManifestHeader& header, SpectrumResult& result) {
+  const std::vector<LifeColumn> columns = life_columns(header);
+  for (const LifeColumn& column : columns)
     result.lives.emplace_back(column.name, life_by_miner(shares_of(result.bins, column.in_revolutions),
-                                                         lives_in_bins(head, result.bins, column)));
+                                                         lives_in_bins(result.bins, column)));
   take_worst_bearing(header, result);
   const Eigen::ArrayXd shares = shares_of(result.bins, false);
-  const Eigen::ArrayXd lives = lives_in_bins(head, result.bins, column_of_worst(result, header.life));
+  const Eigen::ArrayXd lives = lives_in_bins(result.bins, column_of_worst(columns, result, header.life));
   const Eigen::ArrayXd damage = damage_shares(shares, lives);
   const Eigen::ArrayXd modified =
-      damage_shares(shares, lives_in_bins(head, result.bins, column_of_worst(result, "L10mh")));
+      damage_shares(shares, lives_in_bins(result.bins, column_of_worst(columns, result, "L10mh")));
   for (std::size_t i = 0; i < result.bins.size(); ++i) {
     const auto bin = static_cast<Eigen::Index>(i);
     if (result.bins[i].row) result.bins[i].worst_life = lives[bin];
@@ -148,35 +221,32 @@ void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResu
 }
 
 // Minimum load P/C of the case, or a swept one.
-double minimum_load_of(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
+double minimum_load_of(const ManifestHeader& header, const SpectrumResult& result) {
   for (const SpectrumBin& bin : result.bins)
-    if (const double swept = bin.row ? value_of(head, *bin.row, kMinimumLoadPath) : not_given;
+    if (const double swept = bin.row ? axis_value(header, *bin.row, kMinimumLoadPath) : not_given;
         std::isfinite(swept))
       return swept;
   return header.spectrum.minimum_load;
 }
 
 // Skid risk of the bearing of a row; of several sets, of any. Without rotation there is none.
-std::optional<bool> skid_risk_of(const ManifestHeader& header, const TableHead& head, double minimum_load,
-                                 const std::optional<ResultRow>& row) {
+std::optional<bool> has_skid_risk(double minimum_load, const std::optional<SweepRow>& row) {
   if (!row) return false;
-  const std::optional<SkidRisk> risk = skid_risk_of(head, header.sets, *row, minimum_load);
+  const std::optional<SkidRisk> risk = skid_risk_of(row->point, minimum_load);
   return risk ? std::optional(risk->present()) : std::nullopt;
 }
 
-std::vector<double> axis_values_of(const TableHead& head, const SpectrumResult& result) {
+std::vector<double> axis_values_of(const SpectrumResult& result) {
   for (const SpectrumBin& bin : result.bins)
-    if (bin.row)
-      return {bin.row->values.begin() + static_cast<std::ptrdiff_t>(head.first_axis),
-              bin.row->values.begin() + static_cast<std::ptrdiff_t>(head.first_axis + head.axes)};
+    if (bin.row) return bin.row->axes;
   return {};
 }
 
-/// Swept values that the rows of a spectrum do not state themselves, by their place among all.
-std::vector<std::size_t> own_axes(const TableHead& head) {
+/// Swept values that the rows of a spectrum do not state themselves, by their index among all.
+std::vector<std::size_t> own_axes(const ManifestHeader& header) {
   std::vector<std::size_t> own;
-  for (std::size_t i = 0; i < head.axes; ++i)
-    if (!head.names[head.first_axis + i].starts_with("input.power_")) own.push_back(i);
+  for (std::size_t i = 0; i < header.axes.size(); ++i)
+    if (!header.axes[i].column.starts_with("input.power_")) own.push_back(i);
   return own;
 }
 
@@ -192,10 +262,11 @@ std::vector<NumberedBin> bins_of(const SpectrumResult& result) {
   return bins;
 }
 
-ResultRow row_at_rest(const TableHead& head, const SpectrumResult& result) {
-  ResultRow row{std::vector<double>(head.names.size(), not_given), "at rest"};
-  for (const std::size_t i : own_axes(head))
-    if (i < result.axis_values.size()) row.values[head.first_axis + i] = result.axis_values[i];
+SweepRow row_at_rest(const ManifestHeader& header, const SpectrumResult& result) {
+  SweepRow row = row_of_numbers({}, header);
+  row.point.status = "at rest";
+  for (const std::size_t i : own_axes(header))
+    if (i < result.axis_values.size()) row.axes[i] = result.axis_values[i];
   return row;
 }
 
@@ -222,7 +293,7 @@ void describe_file(Record& record, const LoadSpectrum& spectrum, const std::stri
   describe_time(record, spectrum, "skid_risk_", "with P/C below the minimum load", sums.skid_risk_share);
 }
 
-void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbered) {
+void describe_bin(Record& row, const ManifestHeader& header, const NumberedBin& numbered) {
   const SpectrumBin& bin = numbered.result->bins[numbered.number];
   row.value("bin", "number, as stated", numbered.number + 1);
   row.value("power_kW", dimension::power, "that enters", bin.bin.power);
@@ -236,19 +307,20 @@ void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbere
   row.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", bin.modified_damage_share);
   describe_risk(row, bin.skid_risk);
   if (!bin.bin.file.empty()) row.value("file", "record that it was made of", bin.bin.file);
-  describe_row(row, head, bin.row ? *bin.row : row_at_rest(head, *numbered.result));
+  describe(row, header, bin.row ? *bin.row : row_at_rest(header, *numbered.result));
+  for (const described::Entry& entry : row.entries())
+    if (entry.detail) row.entry(entry.name).detail = false;  // a table has all columns
 }
 
-void describe_bins(Record& record, const TableHead& head, const std::vector<NumberedBin>& bins) {
+void describe_bins(Record& record, const ManifestHeader& header, const std::vector<NumberedBin>& bins) {
   record.table("bins", "bin", "of the load spectrum", bins,
-               [&](Record& row, const NumberedBin& bin) { describe_bin(row, head, bin); });
+               [&](Record& row, const NumberedBin& bin) { describe_bin(row, header, bin); });
 }
 
-void describe_result(Record& record, const ManifestHeader& header, const TableHead& head,
-                     const SpectrumResult& result) {
-  for (const std::size_t i : own_axes(head))
+void describe_result(Record& record, const ManifestHeader& header, const SpectrumResult& result) {
+  for (const std::size_t i : own_axes(header))
     if (i < result.axis_values.size())
-      record.value(head.names[head.first_axis + i], {}, "swept", result.axis_values[i]);
+      record.value(header.axes[i].column, {}, "swept", result.axis_values[i]);
   for (const auto& [name, life] : result.lives)
     record.value(name, name.ends_with("_Mrev") ? in_million_revolutions : dimension::hours,
                  "under the spectrum", life);
@@ -264,7 +336,7 @@ void describe_result(Record& record, const ManifestHeader& header, const TableHe
                  header.spectrum.hours / result.worst.value);
   }
   record.value("minimum_load", dimension::ratio, "P/C below which rolling elements may skid",
-               minimum_load_of(header, head, result));
+               minimum_load_of(header, result));
   describe_time(record, header.spectrum, "skid_risk_", "with P/C below the minimum load",
                 sums_of(result.bins).skid_risk_share);
   if (const std::vector<std::string> files = header.spectrum.files(); !files.empty())
@@ -272,7 +344,7 @@ void describe_result(Record& record, const ManifestHeader& header, const TableHe
                  [&](Record& row, const std::string& file) {
                    describe_file(row, header.spectrum, file, sums_of(result.bins, file));
                  });
-  describe_bins(record, head, bins_of(result));
+  describe_bins(record, header, bins_of(result));
 }
 
 /// Bins that use up most first.
@@ -378,7 +450,6 @@ BinSums sums_of(const std::vector<SpectrumBin>& bins, const std::string& file) {
 
 std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
                                              const std::map<std::size_t, ManifestEntry>& entries) {
-  const TableHead head = head_of(header);
   const std::vector<std::size_t> rotating = header.spectrum.rotating();
   std::vector<SpectrumResult> results;
   for (std::size_t line = 0; line < header.spectrum.lines; ++line) {
@@ -390,10 +461,10 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
       result.bins[rotating[i]].row = entry->second.row;
       result.failed += entry->second.row.ok() ? 0 : 1;
     }
-    result.axis_values = axis_values_of(head, result);
-    const double minimum_load = minimum_load_of(header, head, result);
-    for (SpectrumBin& bin : result.bins) bin.skid_risk = skid_risk_of(header, head, minimum_load, bin.row);
-    put_lives(header, head, result);
+    result.axis_values = axis_values_of(result);
+    const double minimum_load = minimum_load_of(header, result);
+    for (SpectrumBin& bin : result.bins) bin.skid_risk = has_skid_risk(minimum_load, bin.row);
+    put_lives(header, result);
     results.push_back(std::move(result));
   }
   return results;
@@ -401,14 +472,13 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
 
 Json spectrum_json(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
   if (results.empty()) return nullptr;
-  const TableHead head = head_of(header);
   Json list = Json::array();
   for (const SpectrumResult& result : results) {
     Record record;
-    describe_result(record, header, head, result);
+    describe_result(record, header, result);
     list.push_back(json_of(record));
   }
-  return own_axes(head).empty() ? list.front() : list;
+  return own_axes(header).empty() ? list.front() : list;
 }
 
 std::string spectrum_csv(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
@@ -416,23 +486,22 @@ std::string spectrum_csv(const ManifestHeader& header, const std::vector<Spectru
   for (const SpectrumResult& result : results)
     for (const NumberedBin& bin : bins_of(result)) bins.push_back(bin);
   Record record;
-  describe_bins(record, head_of(header), bins);
+  describe_bins(record, header, bins);
   return csv_of(record.entry("bins"));
 }
 
 std::string spectrum_text(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
   constexpr std::size_t most_bins = 24;  // shown
-  const TableHead head = head_of(header);
   std::string text;
   for (const SpectrumResult& result : results) {
     text +=
         fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
         lives_under_spectrum(header, result) +
-        risk_text(header.spectrum, minimum_load_of(header, head, result), result) +
+        risk_text(header.spectrum, minimum_load_of(header, result), result) +
         files_text(header.spectrum, result);
-    for (const std::size_t i : own_axes(head))
+    for (const std::size_t i : own_axes(header))
       if (i < result.axis_values.size())
-        text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
+        text += fmt::format("{} = {:.10g}\n", header.axes[i].column, result.axis_values[i]);
     text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>15} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
                         "torque [N.m]", "time [%]", spaced(result.worst.key), "uses [%]");
     const std::vector<std::size_t> order = by_damage(result);

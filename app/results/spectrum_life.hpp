@@ -23,7 +23,7 @@ namespace orbearing::app {
 /// One bin with what it gave.
 struct SpectrumBin {
   LoadBin bin;
-  std::optional<ResultRow> row;   // none: without rotation
+  std::optional<SweepRow> row;    // none: without rotation
   double worst_life = not_given;  // [h]  in this bin alone, of the bearing that requirements are judged by
   double damage_share = 0.0;      // [-]  of the life of that bearing; NaN where it is not known
   double modified_damage_share = 0.0;  // [-]  the same of L10mh; NaN without an oil

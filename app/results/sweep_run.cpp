@@ -62,15 +62,12 @@ study::PointResult evaluate_with_speed(const SweepPoint& point,
 FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& asked,
                              study::ComputedPoint computed) {
   const bool refined = request.header.adds(computed.index);
-  FinishedPoint point{
-      computed.index, {}, result_row(computed.result, asked.axis_values, request.header.sets)};
-  point.row.refined = refined;
-  computed.result.status = point.row.status;
   std::optional<Resonance> resonance;
-  if (request.header.resonances) {
-    resonance = request.resonance_of(asked);
-    add_resonance(resonance, point.row);
-  }
+  if (request.header.resonances) resonance = request.resonance_of(asked);
+  FinishedPoint point{
+      computed.index, {}, sweep_row(computed.result, request.header, asked.axis_values, resonance)};
+  point.row.refined = refined;
+  computed.result.status = point.row.point.status;
   // A file that is not kept costs more than a quasi-static point.
   if (request.folder.empty() || !request.point_files) return point;
   PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
@@ -80,11 +77,11 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
 }
 
 void keep(const SweepRequest& request, std::vector<FinishedPoint> points, ResultFolder& folder) {
-  std::vector<ResultRow> rows;
+  std::vector<SweepRow> rows;
   if (request.take_row)
     for (const FinishedPoint& point : points) rows.push_back(point.row);
   folder.keep(std::move(points));
-  for (const ResultRow& row : rows) request.take_row(folder.head(), row);
+  for (const SweepRow& row : rows) request.take_row(folder.header(), row);
 }
 
 /// Points to be computed, and how.
@@ -155,7 +152,7 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
     const auto found = folder.finished().find(first + i);
     if (found == folder.finished().end())
       work.missing.push_back(first + i);
-    else if (found->second.row.values.front() != speed_in_rpm(points[i].input_speed))
+    else if (speed_in_rpm(found->second.row.point.input_speed) != speed_in_rpm(points[i].input_speed))
       refuse_other_refinement(folder, first + i);
   }
   compute(request, work, folder);
@@ -166,7 +163,7 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
 /// Adds points until the peak is known. Rounds that are in the folder are repeated without computation, so
 /// that each follows from the same rows as in an undisturbed sweep. False where it was interrupted.
 bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
-  std::vector<ResultRow> rows;
+  std::vector<SweepRow> rows;
   // Points of the spectrum are numbered between those of the grid and those that are added.
   const std::size_t grid = request.header.grid(), of_spectrum = request.header.points - grid;
   const auto take_up_to = [&](std::size_t end) {
@@ -175,7 +172,7 @@ bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
   };
   take_up_to(grid);
   for (int round = 1;; ++round) {
-    const std::vector<SweepPoint> points = request.refinement->next(folder.head(), rows);
+    const std::vector<SweepPoint> points = request.refinement->next(rows);
     if (points.empty()) break;
     const std::size_t first = rows.size() + of_spectrum;
     if (!compute_round(request, points, first, fmt::format("{}, round {}: ", request.refinement->of, round),
@@ -252,8 +249,7 @@ std::string interrupted(const SweepRequest& request, const std::string& found) {
 
 SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
                         std::size_t kept) {
-  SweepOutcome outcome{header, head_of(header), rows_in_table_order(header, entries),
-                       spectrum_results(header, entries), kept};
+  SweepOutcome outcome{header, rows_in_table_order(header, entries), spectrum_results(header, entries), kept};
   for (const auto& [point, entry] : entries)
     if (!entry.row.ok()) ++outcome.failed;
   return outcome;
@@ -266,7 +262,7 @@ SweepOutcome swept(const SweepRequest& request) {
       open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();
   if (request.take_row)
-    for (const auto& [point, entry] : folder.finished()) request.take_row(folder.head(), entry.row);
+    for (const auto& [point, entry] : folder.finished()) request.take_row(folder.header(), entry.row);
   if (request.announce) {
     const std::vector<std::size_t> missing = missing_points(request, folder);
     request.announce(work_of(request, missing), missing.size());
@@ -332,22 +328,22 @@ Record sweep_form(const LifePeak& peak) {
   record.table("points", "point", "operating points", std::array{form},
                [](Record& row, const study::PointResult& point) {
                  study::describe_row(row, point);
-                 row.value(std::string(refined_column), "whether it was added around the peak", false);
-                 row.value(std::string(limiting_set_column),
-                           "of several sets, the one with the worst bearing", point.limiting_set);
+                 row.value(refined_column, "whether it was added around the peak", false);
+                 row.value(limiting_set_column, "of several sets, the one with the worst bearing",
+                           point.limiting_set);
                  describe(row, Resonance{});
                  row.table("planets", "planet", "planets one by one, where they carry unlike loads",
-                           point.planets, study::describe_planet);
+                           point.planets, described::describe_listed<study::PlanetResult>);
                });
   record.child("peak", "longest life over speed", peak);
   return record;
 }
 
-LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
-  LifePeak peak{.life = head.life};
-  if (const ResultRow* best = longest_lived(head, rows, true)) {
-    peak.life_h = governing_life_in(head, *best);
-    peak.speed_rpm = value_of(head, *best, "input_speed_rpm");
+LifePeak grid_peak(const ManifestHeader& header, const std::vector<SweepRow>& rows) {
+  LifePeak peak{.life = header.life};
+  if (const SweepRow* best = longest_lived(header, rows, true)) {
+    peak.life_h = governing_hours(header, best->point);
+    peak.speed_rpm = speed_in_rpm(best->point.input_speed);
   }
   return peak;
 }
@@ -355,7 +351,7 @@ LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
 Json sweep_json(const SweepOutcome& outcome, const LifePeak& peak, const Json& assumptions,
                 const Json& warnings, const Json& versions) {
   Json points = Json::array();
-  for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
+  for (const SweepRow& row : outcome.rows) points.push_back(row_json(outcome.header, row));
   Json object{{"points", std::move(points)}, {"peak", json_of(record_of(peak))}};
   if (!outcome.spectra.empty()) object["spectrum"] = spectrum_json(outcome.header, outcome.spectra);
   object["assumptions"] = assumptions;

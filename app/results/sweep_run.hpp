@@ -14,8 +14,8 @@
 #include "app/case/settings.hpp"
 #include "app/results/manifest.hpp"
 #include "app/results/result_folder.hpp"
-#include "app/results/result_row.hpp"
 #include "app/results/spectrum_life.hpp"
+#include "app/results/sweep_row.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
@@ -40,7 +40,7 @@ struct Refinement {
   /// The points to be added when those of `rows` are done (the grid's in their order, without the spectrum's,
   /// then those added before, in the order in which they were requested); none: the peak is known. Depends
   /// only on the rows, so that a resumed sweep requests the same points.
-  std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
+  std::function<std::vector<SweepPoint>(const std::vector<SweepRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
   std::string of{"peak"};  // what is refined, in the line of progress
@@ -59,7 +59,7 @@ struct SweepRequest {
   std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
   /// Receives each row as its point ends, first those that the folder holds; one call at a time.
-  std::function<void(const TableHead& head, const ResultRow& row)> take_row{};
+  std::function<void(const ManifestHeader& header, const SweepRow& row)> take_row{};
   std::vector<double> work{};  // [s]  (points) estimated times, which weigh the time left; empty: equal
   /// Told once, before the first point: estimated time [s] and number of the points that the folder lacks.
   std::function<void(double seconds, std::size_t missing)> announce{};
@@ -73,8 +73,7 @@ struct SweepRequest {
 /// Rows in the order of the table.
 struct SweepOutcome {
   ManifestHeader header;
-  TableHead head;
-  std::vector<ResultRow> rows;
+  std::vector<SweepRow> rows;
   std::vector<SpectrumResult> spectra;  // one for each combination of the other swept values, if any
   std::size_t kept = 0;                 // found finished in the folder
   std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
@@ -120,7 +119,7 @@ void describe(described::Record& record, const LifePeak& peak);
 
 /// Best row of the grid, those added to it left out; the refined values are left for the caller. NaN where no
 /// point has a life.
-LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
+LifePeak grid_peak(const ManifestHeader& header, const std::vector<SweepRow>& rows);
 
 /// The peak and one point as a form for all: rows hold numbers alone.
 described::Record sweep_form(const LifePeak& peak);

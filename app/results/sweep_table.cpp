@@ -34,9 +34,9 @@ std::string peak_line(const LifePeak& peak) {
 
 }  // namespace
 
-std::string peak_text(const TableHead& head, const std::vector<ResultRow>& rows, const LifePeak& peak) {
-  const auto without = std::ranges::count_if(rows, [&](const ResultRow& row) {
-    return !std::isfinite(value_of(head, row, "input_speed_rpm")) || !(governing_life_in(head, row) > 0.0);
+std::string peak_text(const ManifestHeader& header, const std::vector<SweepRow>& rows, const LifePeak& peak) {
+  const auto without = std::ranges::count_if(rows, [&](const SweepRow& row) {
+    return !std::isfinite(row.point.input_speed) || !(governing_hours(header, row.point) > 0.0);
   });
   return (without > 0 ? fmt::format("{} of {} points have no life\n", without, rows.size()) : "") +
          peak_line(peak);
@@ -65,10 +65,10 @@ std::pair<std::string, std::string> heading(const std::string& name) {
   return {words, unit == std::string::npos ? "" : "[" + name.substr(unit + 1) + "]"};
 }
 
-std::vector<std::string> shown_columns(const TableHead& head) {
-  std::vector<std::string> names = main_columns(head.life);
-  const auto axes = head.names.begin() + static_cast<std::ptrdiff_t>(head.first_axis);
-  names.insert(names.begin() + 1, axes, axes + static_cast<std::ptrdiff_t>(head.axes));
+std::vector<std::string> shown_columns(const ManifestHeader& header) {
+  std::vector<std::string> names = main_columns(header.life);
+  const std::vector<std::string> axes = described::each(header.axes, &SweptAxis::column);
+  names.insert(names.begin() + 1, axes.begin(), axes.end());
   return names;
 }
 
@@ -78,29 +78,29 @@ std::string number(double value) {
 }
 
 /// "2 x P1 at 6063 rpm": harmonic, mode, speed.
-std::string resonance_text(const TableHead& head, const ResultRow& row) {
-  if (row.resonance_mode.empty()) return "-";
-  return fmt::format("{:g} x {} at {:.0f} rpm", value_of(head, row, "resonance_harmonic"), row.resonance_mode,
-                     value_of(head, row, "resonance_speed_rpm"));
+std::string resonance_text(const SweepRow& row) {
+  if (!row.resonance) return "-";
+  return fmt::format("{} x {} at {:.0f} rpm", row.resonance->harmonic, row.resonance->mode,
+                     speed_in_rpm(row.resonance->speed));
 }
 
 /// The rows that are shown, and the text on the others for a last line.
 struct ShownRows {
-  std::vector<const ResultRow*> rows;
+  std::vector<const SweepRow*> rows;
   std::string note;
 };
 
 /// All rows of a few; else every n-th of the grid and, of the points added to it, the one with the longest
 /// life.
-ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) {
+ShownRows shown_rows(const ManifestHeader& header, const std::vector<SweepRow>& rows) {
   ShownRows shown;
-  const ResultRow* longest = longest_lived(head, rows);
+  const SweepRow* longest = longest_lived(header, rows);
   std::size_t grid = 0, added = 0;
-  for (const ResultRow& row : rows) ++(row.refined ? added : grid);
+  for (const SweepRow& row : rows) ++(row.refined ? added : grid);
   const bool all = rows.size() <= most_rows;
   const std::size_t step = all ? 1 : (grid + most_rows - 1) / most_rows;
   std::size_t location = 0;
-  for (const ResultRow& row : rows) {
+  for (const SweepRow& row : rows) {
     const bool of_grid = !row.refined && location++ % step == 0;
     if (of_grid || (row.refined && (all || &row == longest))) shown.rows.push_back(&row);
   }
@@ -113,10 +113,11 @@ ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) 
 
 }  // namespace
 
-std::string sets_table(const TableHead& head, const std::vector<std::string>& sets, const ResultRow& row) {
+std::string sets_table(const ManifestHeader& header, const SweepRow& row) {
+  const std::vector<std::string>& sets = header.sets;
   if (sets.empty() || !row.ok()) return "";
   const auto value = [&](const std::string& set, const std::string& name) {
-    return value_of(head, row, column_prefix(set) + name);
+    return number_named(header, row, column_prefix(set) + name);
   };
   std::size_t set_width = std::string_view("set").size();
   for (const std::string& set : sets) set_width = std::max(set_width, set.size());
@@ -124,8 +125,8 @@ std::string sets_table(const TableHead& head, const std::vector<std::string>& se
   for (const std::string& set : sets) lines.push_back(fmt::format("{:<{}}", set, set_width));
   for (const auto& [name, words] :
        std::array<std::pair<std::string, std::string>, 7>{{{"planet_load_N", "planet load [N]"},
-                                                           {head.life, head.life + " [h]"},
-                                                           {"shortest_" + head.life, "shortest [h]"},
+                                                           {header.life, header.life + " [h]"},
+                                                           {"shortest_" + header.life, "shortest [h]"},
                                                            {"S0", "S0"},
                                                            {"kappa", "kappa"},
                                                            {"contact_pressure_max_MPa", "pressure [MPa]"},
@@ -138,14 +139,14 @@ std::string sets_table(const TableHead& head, const std::vector<std::string>& se
       lines[i + 1] += fmt::format("  {:>{}}", number(value(sets[i], name)), width);
   }
   for (std::size_t i = 0; i < sets.size(); ++i)
-    if (sets[i] == row.limiting_set) lines[i + 1] += "  limiting set: it has the worst bearing";
+    if (sets[i] == row.point.limiting_set) lines[i + 1] += "  limiting set: it has the worst bearing";
   return fmt::format("{}\n\n", fmt::join(lines, "\n"));
 }
 
-std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows) {
+std::string sweep_table(const ManifestHeader& header, const std::vector<SweepRow>& rows) {
   constexpr int resonance_width = 20;
   constexpr std::string_view heading_of_sets = "limiting set";
-  const std::vector<std::string> names = shown_columns(head);
+  const std::vector<std::string> names = shown_columns(header);
   const auto width = [](const std::string& name) {
     return std::max<std::size_t>(heading(name).first.size(), 8);
   };
@@ -155,18 +156,18 @@ std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& row
     words += fmt::format("{:>{}}  ", heading(name).first, width(name));
     units += fmt::format("{:>{}}  ", heading(name).second, width(name));
   }
-  if (head.first_resonance) words += fmt::format("{:<{}}  ", "nearest resonance", resonance_width);
-  const ShownRows shown = shown_rows(head, rows);
-  std::size_t set_width = head.set_place ? heading_of_sets.size() : 0;
-  for (const ResultRow* row : shown.rows) set_width = std::max(set_width, row->limiting_set.size());
-  if (head.set_place) words += fmt::format("{:<{}}  ", heading_of_sets, set_width);
+  if (header.resonances) words += fmt::format("{:<{}}  ", "nearest resonance", resonance_width);
+  const ShownRows shown = shown_rows(header, rows);
+  std::size_t set_width = header.sets.empty() ? 0 : heading_of_sets.size();
+  for (const SweepRow* row : shown.rows) set_width = std::max(set_width, row->point.limiting_set.size());
+  if (!header.sets.empty()) words += fmt::format("{:<{}}  ", heading_of_sets, set_width);
   std::string text = words + "status\n" + units + '\n';
-  for (const ResultRow* row : shown.rows) {
+  for (const SweepRow* row : shown.rows) {
     for (const std::string& name : names)
-      text += fmt::format("{:>{}}  ", number(value_of(head, *row, name)), width(name));
-    if (head.first_resonance) text += fmt::format("{:<{}}  ", resonance_text(head, *row), resonance_width);
-    if (head.set_place) text += fmt::format("{:<{}}  ", row->limiting_set, set_width);
-    text += row->status;
+      text += fmt::format("{:>{}}  ", number(number_named(header, *row, name)), width(name));
+    if (header.resonances) text += fmt::format("{:<{}}  ", resonance_text(*row), resonance_width);
+    if (!header.sets.empty()) text += fmt::format("{:<{}}  ", row->point.limiting_set, set_width);
+    text += row->point.status;
     text += row->refined ? ", added\n" : "\n";
   }
   if (!shown.note.empty()) text += fmt::format("({}; all of them stand in sweep.csv)\n", shown.note);

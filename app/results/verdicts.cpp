@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "app/results/record_writers.hpp"
 #include "bearing/life/life_modification.hpp"
@@ -17,13 +19,11 @@ namespace {
 // The result of that name of the worst bearing.
 using ValueOfWorst = std::function<WorstBearing(const std::string& key)>;
 
-/// Load condition at which a requirement is judged: an operating point, a bin or a whole spectrum.
+/// Load condition at which requirements are judged: an operating point, a bin or a whole spectrum.
 struct Sample {
-  ValueOfWorst of_worst;
+  std::function<ValueOfWorst()> values;
   std::string at;
   std::string failure{};  // of a point that was not computed
-
-  double value(const std::string& key) const { return of_worst(key).value; }
 };
 
 const char* bound_text(const Requirement& requirement) {
@@ -47,14 +47,14 @@ bool needs_oil(const std::string& key) {
   return key == "L10mh" || key == "L10mrh" || key == "kappa";
 }
 
-std::string missing_reason(const std::string& key, const Sample& sample) {
-  const double kappa = sample.value("kappa");
+std::string missing_reason(const std::string& key, const ValueOfWorst& of_worst) {
+  const double kappa = of_worst("kappa").value;
   if (needs_oil(key) && std::isnan(kappa))
     return "the case states no oil; state lubricant.grade, lubricant.temperature and life.cleanliness";
   if (needs_oil(key) && kappa < bearing::rating::kLeastViscosityRatio)
     return fmt::format("kappa is {:.3g}; a_ISO of ISO 281 begins at {:g}", kappa,
                        bearing::rating::kLeastViscosityRatio);
-  if (is_life(key) && !std::isnan(sample.value(in_revolutions(key))))
+  if (is_life(key) && !std::isnan(of_worst(in_revolutions(key)).value))
     return "the rings do not rotate; state operation.shaft_speed";
   if (key == "largest_load_share")
     return "all planets carry the same load in this case; state errors of the pins, as "
@@ -63,44 +63,58 @@ std::string missing_reason(const std::string& key, const Sample& sample) {
          "and 45 degrees; a life by L10rh or L10mrh does not require them";
 }
 
-Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& samples) {
-  Verdict verdict{.requirement = requirement, .result = requirement.key, .points = samples.size()};
-  for (const Sample& sample : samples) {
-    const WorstBearing worst = sample.failure.empty() ? sample.of_worst(requirement.key) : WorstBearing{};
-    if (std::isnan(worst.value)) {
-      if (!verdict.reason.empty()) continue;
-      verdict.reason = sample.failure.empty() ? missing_reason(requirement.key, sample)
-                                              : "a point was not computed: " + sample.failure;
-      if (samples.size() > 1) verdict.reason = sample.at + ": " + verdict.reason;
-      continue;
-    }
-    if (!is_met(requirement, worst.value)) ++verdict.points_failed;
-    if (!std::isnan(verdict.value) && !is_worse(requirement, worst.value, verdict.value)) continue;
-    verdict.value = worst.value;
-    verdict.result = worst.key;
-    verdict.of_set = worst.set;
-    verdict.at = sample.at;
+// One of `samples` conditions at which a verdict is given.
+void judge_at(const Sample& sample, const ValueOfWorst& of_worst, std::size_t samples, Verdict& verdict) {
+  const Requirement& requirement = verdict.requirement;
+  const WorstBearing worst = sample.failure.empty() ? of_worst(requirement.key) : WorstBearing{};
+  if (std::isnan(worst.value)) {
+    if (!verdict.reason.empty()) return;
+    verdict.reason = sample.failure.empty() ? missing_reason(requirement.key, of_worst)
+                                            : "a point was not computed: " + sample.failure;
+    if (samples > 1) verdict.reason = sample.at + ": " + verdict.reason;
+    return;
   }
+  if (!is_met(requirement, worst.value)) ++verdict.points_failed;
+  if (!std::isnan(verdict.value) && !is_worse(requirement, worst.value, verdict.value)) return;
+  verdict.value = worst.value;
+  verdict.result = worst.key;
+  verdict.of_set = worst.set;
+  verdict.at = sample.at;
+}
+
+void conclude(Verdict& verdict) {
   // One failed point decides; that all pass requires all points.
   if (verdict.points_failed > 0)
     verdict.passed = false;
   else if (verdict.reason.empty())
     verdict.passed = true;
   if (std::isinf(verdict.value) && verdict.reason.empty()) verdict.reason = "no load: a life without limit";
-  return verdict;
 }
 
-// Samples by which requirements are judged: for lives, for the load sharing, for all else.
+// Samples by which requirements are judged: under a load spectrum for lives, for the load sharing and for all
+// else; without one there are `of_others` alone.
 struct Samples {
   std::vector<Sample> of_lives, of_sharing, of_others;
 };
 
+const std::vector<Sample>& samples_for(const Requirement& requirement, const Samples& samples) {
+  if (requirement.name == "life" && !samples.of_lives.empty()) return samples.of_lives;
+  if (requirement.name == "load_share" && !samples.of_sharing.empty()) return samples.of_sharing;
+  return samples.of_others;
+}
+
+// Numbers of a sample are gathered once for all requirements.
 std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements, const Samples& samples) {
   std::vector<Verdict> verdicts;
   for (const Requirement& one : requirements)
-    verdicts.push_back(verdict_of(one, one.name == "life"         ? samples.of_lives
-                                       : one.name == "load_share" ? samples.of_sharing
-                                                                  : samples.of_others));
+    verdicts.push_back({.requirement = one, .result = one.key, .points = samples_for(one, samples).size()});
+  for (const auto* of : {&samples.of_lives, &samples.of_sharing, &samples.of_others})
+    for (const Sample& sample : *of) {
+      const ValueOfWorst of_worst = sample.values();
+      for (Verdict& verdict : verdicts)
+        if (&samples_for(verdict.requirement, samples) == of) judge_at(sample, of_worst, of->size(), verdict);
+    }
+  std::ranges::for_each(verdicts, conclude);
   return verdicts;
 }
 
@@ -115,32 +129,37 @@ const SpectrumBin* of_largest_torque(const SpectrumResult& result) {
 }
 
 // In a row a life without load has no number, as that by Lundberg and Palmgren beside it.
-ValueOfWorst values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
-  const auto column = [&outcome, &row](const std::string& name) {
-    const double value = value_of(outcome.head, row, name);
+ValueOfWorst values_in_row(const ManifestHeader& header, const SweepRow& row) {
+  using Named = std::pair<std::string, double>;
+  const auto numbers = std::make_shared<const std::vector<Named>>(named_numbers(header, row));
+  const auto number = [numbers](const std::string& name) {
+    const auto found = std::ranges::find(*numbers, name, &Named::first);
+    return found == numbers->end() ? described::kAbsent : found->second;
+  };
+  const auto column = [number](const std::string& name) {
+    const double value = number(name);
     const std::size_t begin = name.rfind('.') + 1;  // behind that of a set
     const bool unloaded = std::isnan(value) && is_life(name.substr(begin)) &&
-                          std::isnan(value_of(outcome.head, row, name.substr(0, begin) + "life_h"));
+                          std::isnan(number(name.substr(0, begin) + "life_h"));
     return unloaded ? std::numeric_limits<double>::infinity() : value;
   };
-  return [&outcome, column](const std::string& key) {
-    return worst_bearing(key, key.ends_with("_Mrev") ? std::vector<std::string>{} : outcome.header.sets,
-                         column);
+  return [column, &sets = header.sets](const std::string& key) {
+    return worst_bearing(key, key.ends_with("_Mrev") ? std::vector<std::string>{} : sets, column);
   };
 }
 
-std::string axes_text(const SweepOutcome& outcome, const ResultRow& row) {
+std::string axes_text(const ManifestHeader& header, const SweepRow& row) {
   std::string text;
-  for (std::size_t i = outcome.head.first_axis; i < outcome.head.first_axis + outcome.head.axes; ++i)
-    text += fmt::format(", {} = {:.6g}", outcome.head.names[i], row.values[i]);
+  for (std::size_t i = 0; i < header.axes.size(); ++i)
+    text += fmt::format(", {} = {:.6g}", header.axes[i].column, row.axes[i]);
   return text;
 }
 
-Sample sample_of(const SweepOutcome& outcome, const ResultRow& row, const std::string& bin = "") {
-  const double speed = value_of(outcome.head, row, std::string(input_speed_column));
-  return {values_in_row(outcome, row),
-          fmt::format("{}input_speed_rpm = {:.6g}{}", bin, speed, axes_text(outcome, row)),
-          row.ok() ? "" : row.status};
+Sample sample_of(const ManifestHeader& header, const SweepRow& row, const std::string& bin = "") {
+  return {[&header, &row] { return values_in_row(header, row); },
+          fmt::format("{}input_speed_rpm = {:.6g}{}", bin, speed_in_rpm(row.point.input_speed),
+                      axes_text(header, row)),
+          row.ok() ? "" : row.point.status};
 }
 
 // Lives under a spectrum, and the least viscosity ratio of its bins, which explains a missing life.
@@ -151,17 +170,17 @@ ValueOfWorst values_under_spectrum(const SweepOutcome& outcome, const SpectrumRe
                            [&](const std::string& name) { return life_of(result, name); });
     WorstBearing least{.key = key};
     for (const SpectrumBin& bin : result.bins)
-      if (bin.row) least.value = std::fmin(least.value, values_in_row(outcome, *bin.row)(key).value);
+      if (bin.row) least.value = std::fmin(least.value, values_in_row(outcome.header, *bin.row)(key).value);
     return least;
   };
 }
 
 Sample sample_of(const SweepOutcome& outcome, const SpectrumResult& result) {
-  Sample sample{values_under_spectrum(outcome, result), "load spectrum"};
+  Sample sample{[&] { return values_under_spectrum(outcome, result); }, "load spectrum"};
   for (const SpectrumBin& bin : result.bins) {
     if (!bin.row) continue;
-    if (!bin.row->ok()) sample.failure = bin.row->status;
-    if (outcome.spectra.size() > 1) sample.at = "load spectrum" + axes_text(outcome, *bin.row);
+    if (!bin.row->ok()) sample.failure = bin.row->point.status;
+    if (outcome.spectra.size() > 1) sample.at = "load spectrum" + axes_text(outcome.header, *bin.row);
   }
   return sample;
 }
@@ -217,8 +236,8 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
 }
 
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value) {
-  const std::vector<Sample> only{{[&](const std::string& key) { return worst_bearing(key, {}, value); }, ""}};
-  return verdicts_at(requirements, {only, only, only});
+  const ValueOfWorst of_worst = [&](const std::string& key) { return worst_bearing(key, {}, value); };
+  return verdicts_at(requirements, {{}, {}, {{[&] { return of_worst; }, ""}}});
 }
 
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const SweepOutcome& outcome) {
@@ -230,13 +249,12 @@ std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, c
     for (std::size_t i = 0; i < result.bins.size(); ++i) {
       const SpectrumBin& bin = result.bins[i];
       if (!bin.row || !(bin.bin.share > 0.0)) continue;
-      samples.of_others.push_back(sample_of(outcome, *bin.row, fmt::format("bin {}, ", i + 1)));
+      samples.of_others.push_back(sample_of(outcome.header, *bin.row, fmt::format("bin {}, ", i + 1)));
       if (&bin == largest) samples.of_sharing.push_back(samples.of_others.back());
     }
   }
   if (!outcome.spectra.empty()) return verdicts_at(requirements, samples);
-  for (const ResultRow& row : outcome.rows) samples.of_others.push_back(sample_of(outcome, row));
-  samples.of_lives = samples.of_sharing = samples.of_others;
+  for (const SweepRow& row : outcome.rows) samples.of_others.push_back(sample_of(outcome.header, row));
   return verdicts_at(requirements, samples);
 }
 

@@ -16,7 +16,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "app/results/worst_bearing.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
@@ -39,8 +39,8 @@ struct Run {
 
 // The row of its one point.
 Json drivetrain_point(const ResolvedCase& in, study::Fidelity fidelity) {
-  const std::vector<std::string> sets = bearing_set_names(in);
-  return row_json(table_head({}, sets), result_row(study::evaluate(bearing_sets(in), fidelity), {}, sets));
+  const ManifestHeader header{.sets = bearing_set_names(in)};
+  return row_json(header, sweep_row(study::evaluate(bearing_sets(in), fidelity), header));
 }
 
 bool is_of_planet_bearings(const ResolvedCase& in) {
@@ -103,7 +103,7 @@ ScalarResult scalar_result(const ResolvedCase& in, const std::string& fidelity, 
   Run run = run_of(in, fidelity);
   result.analysis = run.analysis;
   result.scatter = run.scatter;
-  const std::string set = std::string(limiting_set_column);
+  const std::string set = limiting_set_column;
   // With several sets, the row is that of the set with the worst bearing.
   result.compute = [compute = std::move(run.compute), quantity = result.quantity, named = !key.empty(),
                     set](const ResolvedCase& changed) -> ScalarResult::Value {
@@ -338,8 +338,7 @@ Slope slope_of(double here, const std::array<double, 2>& there, int side, double
 Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result,
                         const ScalarResult::Value& here, const DerivativeOptions& options) {
   const ResolvedCase in = resolved.without_sweep();
-  Derivatives found{
-      .quantity = here.key, .unit = result.unit, .value = here.number, .of_set = here.of_set};
+  Derivatives found{.quantity = here.key, .unit = result.unit, .value = here.number, .of_set = here.of_set};
   std::vector<Candidate> candidates = candidates_of(in, result, options.paths);
   compute(candidates, result, options);
   for (Candidate& candidate : candidates) {

@@ -12,7 +12,6 @@
 #include "app/case/bearing_type.hpp"
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 #include "app/results/sweep_table.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
@@ -195,24 +194,24 @@ void warn_of_neighbours(const SpeedLine& line, std::size_t best, bool in_motion,
 }
 
 // Warning for a sweep with more axes than speed: the one line on which points were added.
-void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
+void warn_of_other_lines(const SweepOutcome& outcome, const SweepRow& best,
                          std::vector<std::string>& warnings) {
   std::string position;
-  for (std::size_t i = outcome.head.first_axis; i < outcome.head.first_axis + outcome.head.axes; ++i)
-    position +=
-        fmt::format("{}{} = {:.10g}", position.empty() ? "" : ", ", outcome.head.names[i], best.values[i]);
+  for (std::size_t i = 0; i < outcome.header.axes.size(); ++i)
+    position += fmt::format("{}{} = {:.10g}", position.empty() ? "" : ", ", outcome.header.axes[i].column,
+                            best.axes[i]);
   if (!position.empty())
     warnings.push_back("peak: refined on the line of speeds through the grid's best point only, at " +
                        position);
 }
 
 // The rows that differ from `row` in speed alone, ascending in speed; those that failed have no life.
-SpeedLine line_through(const TableHead& head, const std::vector<ResultRow>& rows, const ResultRow& row) {
+SpeedLine line_through(const ManifestHeader& header, const std::vector<SweepRow>& rows, const SweepRow& row) {
   SpeedLine line;
-  for (const ResultRow& other : rows) {
-    if (!on_one_line(head, row, other)) continue;
-    const double life = governing_life_in(head, other);
-    line.push_back({value_of(head, other, "input_speed_rpm"), life > 0.0 ? life : 0.0});
+  for (const SweepRow& other : rows) {
+    if (!on_one_line(row, other)) continue;
+    const double life = governing_hours(header, other.point);
+    line.push_back({speed_in_rpm(other.point.input_speed), life > 0.0 ? life : 0.0});
   }
   std::ranges::stable_sort(line, {}, &LivedSpeed::rpm);
   return line;
@@ -221,12 +220,12 @@ SpeedLine line_through(const TableHead& head, const std::vector<ResultRow>& rows
 }  // namespace
 
 FoundPeak find_peak(const SweepOutcome& outcome) {
-  FoundPeak found{.peak = grid_peak(outcome.head, outcome.rows)};
+  FoundPeak found{.peak = grid_peak(outcome.header, outcome.rows)};
   const ManifestHeader& header = outcome.header;
   // A shard's best point is not the sweep's.
   if (!(found.peak.life_h > 0.0) || header.shard) return found;
-  const ResultRow& of_grid = *longest_lived(outcome.head, outcome.rows, true);
-  const SpeedLine line = line_through(outcome.head, outcome.rows, of_grid);
+  const SweepRow& of_grid = *longest_lived(header, outcome.rows, true);
+  const SpeedLine line = line_through(header, outcome.rows, of_grid);
   if (line.size() < 2) return found;
   const std::size_t best = best_position(line);
   warn_of_ends(line, best, found.warnings);
@@ -247,41 +246,41 @@ LifeWords words_of(const ResolvedCase& in) {
           in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0, governing_life(in)};
 }
 
-LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const ResolvedCase& in) {
-  return {[&](const std::string& name) { return value_of(outcome.head, row, name); }, words_of(in)};
+LifeTable table_at(const SweepOutcome& outcome, const SweepRow& row, const ResolvedCase& in) {
+  return {[&](const std::string& name) { return number_named(outcome.header, row, name); }, words_of(in)};
 }
 
 // Result of the worst planet bearing, where the carrier is a body.
-std::string carrier_text(const SweepOutcome& outcome, const ResultRow& row) {
-  const auto value = [&](const std::string& name) { return value_of(outcome.head, row, "carrier_" + name); };
-  if (!std::isfinite(value("load_share"))) return "";
+std::string carrier_text(const ManifestHeader& header, const std::optional<study::CarrierNumbers>& carrier) {
+  if (!carrier) return "";
   return fmt::format(
       "worst planet bearing over a revolution of the carrier: {:.4g} of the load shared evenly, {} {:.6g} "
       "h\n",
-      value("load_share"), outcome.head.life, value(outcome.head.life));
+      carrier->load_share, header.life, governing_hours(header, carrier->life_hours, carrier->rated_hours));
 }
 
 }  // namespace
 
 std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
-  const ResultRow* row = longest_lived(outcome.head, outcome.rows);
+  const SweepRow* row = longest_lived(outcome.header, outcome.rows);
   if (row == nullptr) return "";
-  const std::string of_set = row->limiting_set.empty() ? "" : fmt::format("set {}:\n", row->limiting_set);
-  const std::string table = sets_table(outcome.head, outcome.header.sets, *row) +
-                            carrier_text(outcome, *row) + of_set +
+  const std::string of_set =
+      row->point.limiting_set.empty() ? "" : fmt::format("set {}:\n", row->point.limiting_set);
+  const std::string table = sets_table(outcome.header, *row) +
+                            carrier_text(outcome.header, row->point.carrier) + of_set +
                             lives_text(table_at(outcome, *row, resolved));
   if (outcome.rows.size() == 1) return table + "\n";
-  return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n",
-                     value_of(outcome.head, *row, "input_speed_rpm"), outcome.head.life, table);
+  return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n", speed_in_rpm(row->point.input_speed),
+                     outcome.header.life, table);
 }
 
 nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
-  const ResultRow* row = longest_lived(outcome.head, outcome.rows);
+  const SweepRow* row = longest_lived(outcome.header, outcome.rows);
   if (row == nullptr) return nullptr;
   Record record;
   describe(record, table_at(outcome, *row, resolved));
-  record.value("speed_rpm", {}, "of the point", value_of(outcome.head, *row, "input_speed_rpm"));
-  record.value("life_key", "life that results go by", outcome.head.life);
+  record.value("speed_rpm", {}, "of the point", speed_in_rpm(row->point.input_speed));
+  record.value("life_key", "life that results go by", outcome.header.life);
   return json_of(record);
 }
 
@@ -309,15 +308,15 @@ void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
   const ResonancesOfLine resonances = dips ? resonances_by_line(resolved) : nullptr;
   request.header.refined = true;
   request.refinement = Refinement{
-      [resolved, resonances, fidelity, points = request.header.grid()](const TableHead& head,
-                                                                       const std::vector<ResultRow>& rows) {
+      [resolved, resonances, fidelity, header = request.header](const std::vector<SweepRow>& rows) {
         std::vector<SweepPoint> added;
-        const ResultRow* best = longest_lived(head, std::span(rows).first(points));
+        const std::size_t points = header.grid();
+        const SweepRow* best = longest_lived(header, std::span(rows).first(points));
         if (best == nullptr || rows.size() - points >= kMostAdded) return added;
         const std::vector<Setting> line = sweep_point(resolved, static_cast<std::size_t>(best - rows.data()));
         const PeakSearch search =
             search_on_line(in_time(fidelity), resonances ? resonances(line) : std::vector<Resonance>{});
-        for (const double rpm : next_speeds(line_through(head, rows, *best), search))
+        for (const double rpm : next_speeds(line_through(header, rows, *best), search))
           added.push_back(point_at_rpm(resolved, line, rpm));
         return added;
       },

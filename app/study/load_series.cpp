@@ -14,7 +14,6 @@
 #include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 #include "app/study/record_file.hpp"
 #include "app/units.hpp"
 

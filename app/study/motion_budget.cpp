@@ -9,7 +9,6 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/units.hpp"
 #include "app/errors.hpp"
-#include "app/results/result_row.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
@@ -63,8 +62,7 @@ std::vector<std::vector<MotionWork>> work_of(const ResolvedCase& resolved, study
 std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const SweepRequest& request) {
   std::vector<SweepPoint> added;
   if (!request.refinement || request.header.shard || request.header.grid() > kMostEstimated) return added;
-  const TableHead head = head_of(request.header);
-  std::vector<ResultRow> rows;
+  std::vector<SweepRow> rows;
   const auto take = [&](const SweepPoint& point) {
     study::PointResult result;
     try {
@@ -73,12 +71,11 @@ std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const
       result.status = error.what();
     }
     result.input_speed = point.input_speed;
-    rows.push_back(result_row(result, point.axis_values, request.header.sets));
-    if (request.header.resonances) add_resonance(std::nullopt, rows.back());
+    rows.push_back(sweep_row(result, request.header, point.axis_values));
   };
   for (std::size_t i = 0; i < request.header.grid(); ++i) take(request.points[i]);
   for (std::size_t round = 0; round < kMostAddedRounds; ++round) {
-    const std::vector<SweepPoint> next = request.refinement->next(head, rows);
+    const std::vector<SweepPoint> next = request.refinement->next(rows);
     if (next.empty()) break;
     for (const SweepPoint& point : next) {
       take(point);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/errors.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/study/parallel.hpp"
 

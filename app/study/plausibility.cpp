@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/life_modification.hpp"
+#include "bearing/life/rating_record.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -209,6 +211,21 @@ std::vector<Observation> observations(const nlohmann::ordered_json& object) {
   return found;
 }
 
+std::vector<Observation> observations(const study::PointNumbers& point) {
+  namespace dimension = described::dimension;
+  const rating::RatingLives& lives = point.rating.lives;
+  std::vector<Observation> found{
+      {"contact_pressure_max_MPa", in_customary_unit(dimension::pressure, point.contact_pressure)},
+      {"kappa", lives.oil ? lives.oil->viscosity_ratio : not_given},
+      {"C_over_P", in_customary_unit(dimension::ratio, lives.load_ratio())},
+      {"life_h", in_customary_unit(dimension::hours, point.life_hours)}};
+  for (const rating::RatedLife& life : rating::kRatedLives)
+    found.push_back({life.name, in_customary_unit(dimension::hours, point.rating.hours.*life.hours)});
+  found.push_back({"film_inner_um", in_customary_unit(dimension::small_length, point.inner.least_film)});
+  found.push_back({"film_outer_um", in_customary_unit(dimension::small_length, point.outer.least_film)});
+  return found;
+}
+
 std::vector<Observation> observations(const ResolvedCase& at_point) {
   std::vector<Observation> found;
   if (at_point.model() != planetary_drivetrain)
@@ -232,36 +249,45 @@ std::vector<std::string> rim_warnings(const ResolvedCase& at_point) {
 
 study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets) {
   if (result.status != "ok") return result;
-  static const TableHead head = table_head({});
-  const ResultRow row = result_row(result, {});
   std::vector<Observation> observed;
   for (const study::NamedSet& set : sets) add_motion(set, observed);
-  for (const PlausibleRange& range : plausible_ranges())
-    for (const std::string& key : range.of.keys) observed.push_back({key, value_of(head, row, key)});
+  for (Observation& one : observations(result)) observed.push_back(std::move(one));
   result.status = judge(observed).status;
   return result;
 }
 
-std::vector<std::string> rare_values(const TableHead& head, const std::vector<const ResultRow*>& rows) {
-  std::vector<std::string> warnings;
-  for (const PlausibleRange& range : plausible_ranges()) {
-    for (const bool low : {true, false}) {
-      std::size_t count = 0;
-      std::string text, first;
-      for (const ResultRow* row : rows) {
-        const auto rare = [&](const std::string& key) {
-          const double value = value_of(head, *row, key);
-          return low ? value < range.rare_low.value : value > range.rare_high.value;
-        };
-        const auto key = std::find_if(range.of.keys.begin(), range.of.keys.end(), rare);
-        if (key == range.of.keys.end() || count++ > 0) continue;
-        text = rare_text(range, value_of(head, *row, *key));
-        first = fmt::format("{:g} rpm", value_of(head, *row, "input_speed_rpm"));
-      }
-      if (count > 0)
-        warnings.push_back(fmt::format("{}: {} of {} points, first at {}", text, count, rows.size(), first));
-    }
+namespace {
+
+struct RareRows {
+  std::size_t count = 0;
+  std::string text, speed;  // of the first
+  const SweepRow* last = nullptr;
+
+  void add(const SweepRow& row, const PlausibleRange& range, double value) {
+    if (std::exchange(last, &row) == &row || count++ > 0) return;
+    text = rare_text(range, value);
+    speed = fmt::format("{:g} rpm", speed_in_rpm(row.point.input_speed));
   }
+};
+
+}  // namespace
+
+std::vector<std::string> rare_values(const std::vector<const SweepRow*>& rows) {
+  const std::vector<PlausibleRange>& ranges = plausible_ranges();
+  std::vector<std::pair<RareRows, RareRows>> found(ranges.size());  // low, high
+  for (const SweepRow* row : rows)
+    for (const Observation& one : observations(row->point)) {
+      const PlausibleRange& range = *range_of(one.key);
+      auto& [low, high] = found[static_cast<std::size_t>(&range - ranges.data())];
+      if (one.value < range.rare_low.value) low.add(*row, range, one.value);
+      if (one.value > range.rare_high.value) high.add(*row, range, one.value);
+    }
+  std::vector<std::string> warnings;
+  for (const auto& [low, high] : found)
+    for (const RareRows* rare : {&low, &high})
+      if (rare->count > 0)
+        warnings.push_back(fmt::format("{}: {} of {} points, first at {}", rare->text, rare->count,
+                                       rows.size(), rare->speed));
   return warnings;
 }
 

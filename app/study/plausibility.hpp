@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/operating_point.hpp"
 
@@ -51,6 +51,9 @@ Judgement judge(const std::vector<Observation>& observed);
 /// The values in a result as --json prints it, at any level.
 std::vector<Observation> observations(const nlohmann::ordered_json& object);
 
+/// Pressure, lives, film and their ratios at a point.
+std::vector<Observation> observations(const study::PointNumbers& point);
+
 /// Values from speeds and loads of the case before any bearing is solved: n_dm, pitch_line_speed_m_s,
 /// unit_load_MPa, thinnest_rim. Empty for models without them.
 std::vector<Observation> observations(const ResolvedCase& at_point);
@@ -65,6 +68,6 @@ std::vector<std::string> rim_warnings(const ResolvedCase& at_point);
 study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets);
 
 /// Warnings of rare values in the rows of a sweep, each once, with how many points have them.
-std::vector<std::string> rare_values(const TableHead& head, const std::vector<const ResultRow*>& rows);
+std::vector<std::string> rare_values(const std::vector<const SweepRow*>& rows);
 
 }  // namespace orbearing::app

@@ -13,7 +13,6 @@
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/fidelity.hpp"
@@ -171,14 +170,14 @@ Json point_json(const study::PointResult& point, bool loads) {
 
 // Life and load over speed as the sweep itself computed them.
 LifeCurve swept_curve(const SweepOutcome& outcome) {
-  std::map<double, const ResultRow*> by_speed;
-  for (const ResultRow& row : outcome.rows)
-    if (row.ok()) by_speed[value_of(outcome.head, row, "input_speed_rpm")] = &row;
+  std::map<double, const SweepRow*> by_speed;
+  for (const SweepRow& row : outcome.rows)
+    if (row.ok()) by_speed[speed_in_rpm(row.point.input_speed)] = &row;
   LifeCurve curve;
   for (const auto& [speed, row] : by_speed) {
     curve.speed_rpm.push_back(speed);
-    curve.life_h.push_back(value_of(outcome.head, *row, outcome.head.life));
-    curve.roller_load_rms.push_back(value_of(outcome.head, *row, "outer_load_rms_N"));
+    curve.life_h.push_back(governing_hours(outcome.header, row->point));
+    curve.roller_load_rms.push_back(row->point.outer.load_rms);
   }
   return curve;
 }
@@ -203,10 +202,10 @@ study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
 
 // Rows as a refinement takes them: the grid's in their order, then those that were added.
 bool wants_more(const ManifestHeader& header, const Manifest& manifest, const Refinement& refinement) {
-  std::vector<ResultRow> rows;
+  std::vector<SweepRow> rows;
   for (const auto& [point, entry] : manifest.entries)
     if (point < header.grid() || point >= header.points) rows.push_back(entry.row);
-  return !refinement.next(head_of(header), rows).empty();
+  return !refinement.next(rows).empty();
 }
 
 std::string name_of(const Manifest& manifest) {
@@ -214,11 +213,10 @@ std::string name_of(const Manifest& manifest) {
 }
 
 Json rows_of(const Manifest& manifest) {
-  const TableHead head = head_of(*manifest.header);
   Json rows = Json::array();
   // Points that only one of two sweeps added to their common grid have nothing beside them.
   for (const auto& [index, entry] : manifest.entries)
-    if (index < manifest.header->grid()) rows.push_back(row_json(head, entry.row));
+    if (index < manifest.header->grid()) rows.push_back(row_json(*manifest.header, entry.row));
   return rows;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "app/results/sweep_run.hpp"
 #include "coupling/diagnosis/resonance.hpp"
 

@@ -14,7 +14,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"

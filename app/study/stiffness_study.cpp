@@ -14,7 +14,7 @@
 #include "app/case/machine_of.hpp"
 #include "app/case/machines.hpp"
 #include "app/errors.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 

@@ -30,9 +30,9 @@ constexpr study::OneWayOptions kOneWay;
 
 // Those of the table, and of the bins of a spectrum: of idle ones, whose lives are next to endless, where
 // `idle`.
-std::vector<const ResultRow*> rows_of(const SweepOutcome& outcome, bool idle) {
-  std::vector<const ResultRow*> rows;
-  for (const ResultRow& row : outcome.rows) rows.push_back(&row);
+std::vector<const SweepRow*> rows_of(const SweepOutcome& outcome, bool idle) {
+  std::vector<const SweepRow*> rows;
+  for (const SweepRow& row : outcome.rows) rows.push_back(&row);
   for (const SpectrumResult& result : outcome.spectra)
     for (const SpectrumBin& bin : result.bins)
       if (bin.row && (idle || bin.bin.power > LoadBin{}.entering_power())) rows.push_back(&*bin.row);
@@ -42,8 +42,8 @@ std::vector<const ResultRow*> rows_of(const SweepOutcome& outcome, bool idle) {
 // Observations from speed and power at the slowest and the fastest point.
 std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
-  for (const ResultRow& row : outcome.rows) {
-    const double speed = value_of(outcome.head, row, "input_speed_rpm");
+  for (const SweepRow& row : outcome.rows) {
+    const double speed = speed_in_rpm(row.point.input_speed);
     least = std::min(least, speed);
     most = std::max(most, speed);
   }
@@ -63,14 +63,14 @@ void add(const Texts& more, Texts& warnings) {
 
 // Adds `text` where some rows satisfy `holds`, with how many do and the first of them.
 void warn_where(const SweepOutcome& outcome, const std::string& text,
-                const std::function<bool(const ResultRow&)>& holds, Texts& warnings) {
-  const std::vector<const ResultRow*> rows = rows_of(outcome, true);
-  std::vector<const ResultRow*> found;
+                const std::function<bool(const SweepRow&)>& holds, Texts& warnings) {
+  const std::vector<const SweepRow*> rows = rows_of(outcome, true);
+  std::vector<const SweepRow*> found;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
-               [&](const ResultRow* row) { return holds(*row); });
+               [&](const SweepRow* row) { return holds(*row); });
   if (!found.empty())
     warnings.push_back(fmt::format("{}: {} of {} points, first at {:g} rpm", text, found.size(), rows.size(),
-                                   value_of(outcome.head, *found.front(), "input_speed_rpm")));
+                                   speed_in_rpm(found.front()->point.input_speed)));
 }
 
 // Warns of too few laminae to resolve a profile or a tilt; then of fewer than ISO/TS 16281 requires for its
@@ -129,10 +129,10 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
   if (outcome.header.fidelity != "dynamic") return;
   const bool full = std::ranges::any_of(
       prefixes_of_sets(resolved), [&](const std::string& set) { return is_full_complement(resolved, set); });
-  const auto column = [&](const ResultRow& row, const char* name) {
-    return value_of(outcome.head, row, name);
+  const auto together = [](const SweepRow& row) { return row.point.exchange_window == 0.0; };
+  const auto drag = [](const SweepRow& row) {
+    return row.point.motion ? row.point.motion->drag_over_traction.value_or(not_given) : not_given;
   };
-  const auto together = [&](const ResultRow& row) { return column(row, "interface_window_us") == 0.0; };
   const std::string why = fmt::format(
       "the motion of the bore depends on the meshes that hold it where a bearing has no cage, or "
       "is lightly loaded (column drag_over_traction above {:g})",
@@ -143,22 +143,24 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
                          why),
              together, warnings);
   const bool squeezed = resolved.has("contact.squeeze") && resolved.flag("contact.squeeze");
-  const char* advice = squeezed ? "drag_slip takes loads at rest: use cage_slip"
-                                : "Compare with contact.squeeze: true";
+  const char* advice =
+      squeezed ? "drag_slip takes loads at rest: use cage_slip" : "Compare with contact.squeeze: true";
   warn_where(
       outcome,
-      fmt::format("cage_slip differs by more than {:g} from drag_slip, that of the loads at rest. Rollers that "
-                  "bounce, or a bore that whirls, may hold such a state up. {}",
-                  study::kDragSlipError, advice),
-      [&](const ResultRow& row) {
-        return column(row, "drag_over_traction") > study::kLightLoad &&
-               std::abs(column(row, "cage_slip") - column(row, "drag_slip")) > study::kDragSlipError;
+      fmt::format(
+          "cage_slip differs by more than {:g} from drag_slip, that of the loads at rest. Rollers that "
+          "bounce, or a bore that whirls, may hold such a state up. {}",
+          study::kDragSlipError, advice),
+      [&](const SweepRow& row) {
+        return drag(row) > study::kLightLoad &&
+               std::abs(row.point.cage_slip - row.point.motion->drag_slip.value_or(not_given)) >
+                   study::kDragSlipError;
       },
       warnings);
-  const auto free = [&](const ResultRow& row) {
-    return row.ok() && !together(row) && (full || column(row, "drag_over_traction") > study::kLightLoad);
+  const auto free = [&](const SweepRow& row) {
+    return row.ok() && !together(row) && (full || drag(row) > study::kLightLoad);
   };
-  if (std::ranges::none_of(rows_of(outcome, true), [&](const ResultRow* row) { return free(*row); })) return;
+  if (std::ranges::none_of(rows_of(outcome, true), [&](const SweepRow* row) { return free(*row); })) return;
   const bool tried =
       std::ranges::any_of(bearing_sets(resolved.without_sweep()), [](const study::NamedSet& set) {
         return study::moves_with_its_gears(set.drivetrain, std::numeric_limits<double>::infinity());
@@ -191,27 +193,30 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
     warnings.push_back(stated +
                        ": the carrier is not taken as a body; required: one set with bearings, "
                        "gearset.fixed: ring, gearset.planet_rim: rigid");
-  const auto column = [&](const ResultRow& row, const std::string& name) {
-    return value_of(outcome.head, row, name);
-  };
-  const std::string life = outcome.head.life;
+  const std::string& life = outcome.header.life;
   warn_where(
       outcome,
       fmt::format("gearset.carrier: over a revolution of the carrier the worst planet bearing has a {0} "
                   "that differs by more than {1:g} % from that of the set in its plane (columns carrier_{0} "
                   "and {0})",
                   life, 100.0 * kOtherLife),
-      [&](const ResultRow& row) {
-        const double shortest = column(row, "shortest_" + life);
-        const double own = std::isfinite(shortest) ? shortest : column(row, life);
-        return std::abs(column(row, "carrier_" + life) / own - 1.0) > kOtherLife;
+      [&](const SweepRow& row) {
+        const study::PointRow& point = row.point;
+        const auto hours = [&](double life_hours, const bearing::rating::RatedHours& rated) {
+          return governing_hours(outcome.header, life_hours, rated);
+        };
+        const double shortest = hours(point.unlike.shortest_hours, point.unlike.shortest_rated);
+        const double own = std::isfinite(shortest) ? shortest : governing_hours(outcome.header, point);
+        return point.carrier && std::abs(hours(point.carrier->life_hours, point.carrier->rated_hours) / own -
+                                         1.0) > kOtherLife;
       },
       warnings);
   warn_where(
       outcome,
       "gearset.carrier: weight, rotor or errors of the pins lift gears off their driving flanks, and their "
       "back flanks carry (column carrier_back_flank_load_N)",
-      [&](const ResultRow& row) { return column(row, "carrier_back_flank_load_N") > 0.0; }, warnings);
+      [](const SweepRow& row) { return row.point.carrier && row.point.carrier->back_flank_load > 0.0; },
+      warnings);
 }
 
 // Sets so slow that rollers and cage follow gravity, which a case does not state: where weight is beside the
@@ -227,8 +232,8 @@ void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, T
     const double field = std::max(std::pow(duty.gears.carrier_speed, 2) * set.geometry.gears.centre_distance,
                                   cage * cage * set.geometry.bearing.pitch_radius);  // [m/s2]
     const double input = speed_in_rpm(set.drivetrain.drive.speed);
-    const auto at = [&](const ResultRow& row) {
-      return field * std::pow(value_of(outcome.head, row, "input_speed_rpm") / input, 2);
+    const auto at = [&](const SweepRow& row) {
+      return field * std::pow(speed_in_rpm(row.point.input_speed) / input, 2);
     };
     warn_where(
         outcome,
@@ -237,20 +242,18 @@ void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, T
                     "rollers of sets as slow follow gravity; loads of the meshes and lives hardly do. State "
                     "inertia.gravity: 9.81 m/s2 for a horizontal axis, or 0 m/s2 for a vertical one",
                     set.name.empty() ? "" : set.name + ": ", share),
-        [&](const ResultRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
+        [&](const SweepRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
   }
 }
 
 // Motions that did not settle, and gears and bearings that one way or an exchange did not bring together.
 void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
-  const auto column = [&](const ResultRow& row, const char* name) {
-    return value_of(outcome.head, row, name);
-  };
   warn_where(
       outcome, "simulation.most_revolutions: the means still drifted at the end; allow more revolutions",
-      [&](const ResultRow& row) { return column(row, "steady") == 0.0; }, warnings);
-  const auto is_displaced = [&](const ResultRow& row) {
-    return column(row, "one_way_load_difference") > kOneWay.load_difference;
+      [](const SweepRow& row) { return row.point.motion && !row.point.motion->steady; }, warnings);
+  const auto is_displaced = [](const SweepRow& row) {
+    return row.point.motion &&
+           row.point.motion->one_way_load_difference.value_or(0.0) > kOneWay.load_difference;
   };
   warn_where(
       outcome,
@@ -258,7 +261,9 @@ void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
                   "there were fewer than {} runs, the gears diverge on the last model. --fidelity "
                   "monolithic requires no such model",
                   kOneWay.most_runs),
-      [&](const ResultRow& row) { return column(row, "one_way_accepted") == 0.0 && !is_displaced(row); },
+      [&](const SweepRow& row) {
+        return row.point.one_way && !row.point.one_way->accepted && !is_displaced(row);
+      },
       warnings);
   warn_where(
       outcome,
@@ -272,13 +277,13 @@ void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
   constexpr double most_residual = 0.025;  // [-]
   warn_where(
       outcome,
-      fmt::format("co-simulation: the exchange makes or loses more than {:g} % of the power that passes "
-                  "(column interface_energy_residual); its pushes load the bearings, and lives are wrong. Use "
-                  "simulation.exchange.extrapolation: 1, a shorter simulation.exchange.window, or "
-                  "--fidelity monolithic",
-                  100.0 * most_residual),
-      [&](const ResultRow& row) { return column(row, "interface_energy_residual") > most_residual; },
-      warnings);
+      fmt::format(
+          "co-simulation: the exchange makes or loses more than {:g} % of the power that passes "
+          "(column interface_energy_residual); its pushes load the bearings, and lives are wrong. Use "
+          "simulation.exchange.extrapolation: 1, a shorter simulation.exchange.window, or "
+          "--fidelity monolithic",
+          100.0 * most_residual),
+      [](const SweepRow& row) { return row.point.exchange_residual > most_residual; }, warnings);
 }
 
 }  // namespace
@@ -302,7 +307,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   warn_of_carrier(resolved, outcome, warnings);
   warn_of_free_bores(resolved, outcome, warnings);
   warn_of_soft_rims(resolved, outcome, warnings);
-  add(rare_values(outcome.head, rows_of(outcome, false)), warnings);
+  add(rare_values(rows_of(outcome, false)), warnings);
   add(judge(observations_at_ends(resolved, outcome)).warnings, warnings);
   warn_of_motions(outcome, warnings);
   return warnings;

@@ -200,10 +200,11 @@ struct TableStudy::State {
   std::size_t taken = 0;  // rows
 
   SweepPoint sweep_point_of(const study::TablePoint& point) const;
-  std::vector<double> tabulated(const TableHead& head, const ResultRow& row) const;
-  void begin(const TableHead& head, const std::vector<ResultRow>& rows);
-  std::vector<SweepPoint> next(const TableHead& head, const std::vector<ResultRow>& rows);
-  void measure(const TableHead& head, const std::vector<ResultRow>& rows);
+  double value_of(const SweepRow& row, const TabulatedResult& result) const;
+  std::vector<double> tabulated(const SweepRow& row) const;
+  void begin(const std::vector<SweepRow>& rows);
+  std::vector<SweepPoint> next(const std::vector<SweepRow>& rows);
+  void measure(const std::vector<SweepRow>& rows);
 };
 
 SweepPoint TableStudy::State::sweep_point_of(const study::TablePoint& point) const {
@@ -218,20 +219,25 @@ SweepPoint TableStudy::State::sweep_point_of(const study::TablePoint& point) con
   return added;
 }
 
-std::vector<double> TableStudy::State::tabulated(const TableHead& head, const ResultRow& row) const {
+// By the name that the user chose.
+double TableStudy::State::value_of(const SweepRow& row, const TabulatedResult& result) const {
+  return number_named(request.header, row, result.name);
+}
+
+std::vector<double> TableStudy::State::tabulated(const SweepRow& row) const {
   std::vector<double> values;
   for (const TabulatedResult& result : table.results)
-    values.push_back(row.ok() ? result.tabulated(value_of(head, row, result.name)) : not_given);
+    values.push_back(row.ok() ? result.tabulated(value_of(row, result)) : not_given);
   return values;
 }
 
 // The first points determine how each result is tabulated, and its scatter.
-void TableStudy::State::begin(const TableHead& head, const std::vector<ResultRow>& rows) {
+void TableStudy::State::begin(const std::vector<SweepRow>& rows) {
   for (TabulatedResult& result : table.results) {
     result.by_logarithm = result.unit != "1";
     result.scale = -1.0;
-    for (const ResultRow& row : rows) {
-      const double value = value_of(head, row, result.name);
+    for (const SweepRow& row : rows) {
+      const double value = value_of(row, result);
       if (!row.ok() || std::isnan(value)) continue;
       result.by_logarithm = result.by_logarithm && value > 0.0;
       result.scale = std::max(result.scale, std::abs(value));
@@ -243,10 +249,10 @@ void TableStudy::State::begin(const TableHead& head, const std::vector<ResultRow
                       result.name, rows.size()));
     if (result.scale == 0.0) result.scale = 1.0;
   }
-  const std::vector<double> middle = tabulated(head, rows[checks]);
+  const std::vector<double> middle = tabulated(rows[checks]);
   for (std::size_t beside = checks + 1; beside < rows.size(); ++beside)
     for (std::size_t r = 0; r < middle.size(); ++r) {
-      const double change = std::abs(tabulated(head, rows[beside])[r] - middle[r]);
+      const double change = std::abs(tabulated(rows[beside])[r] - middle[r]);
       if (std::isfinite(change)) table.scatter = std::max(table.scatter, change);
     }
   builder = std::make_unique<study::TableBuilder>(
@@ -260,30 +266,30 @@ void TableStudy::State::begin(const TableHead& head, const std::vector<ResultRow
                          .seed = kCellSeed});
 }
 
-std::vector<SweepPoint> TableStudy::State::next(const TableHead& head, const std::vector<ResultRow>& rows) {
+std::vector<SweepPoint> TableStudy::State::next(const std::vector<SweepRow>& rows) {
   if (!builder) {
-    begin(head, rows);
+    begin(rows);
   } else {
     std::vector<std::vector<double>> values;
-    for (std::size_t row = taken; row < rows.size(); ++row) values.push_back(tabulated(head, rows[row]));
+    for (std::size_t row = taken; row < rows.size(); ++row) values.push_back(tabulated(rows[row]));
     builder->take(values);
   }
   taken = rows.size();
   std::vector<SweepPoint> points;
   for (const study::TablePoint& point : builder->next()) points.push_back(sweep_point_of(point));
-  if (points.empty()) measure(head, rows);
+  if (points.empty()) measure(rows);
   return points;
 }
 
 // Errors at the check points that no cell has used.
-void TableStudy::State::measure(const TableHead& head, const std::vector<ResultRow>& rows) {
+void TableStudy::State::measure(const std::vector<SweepRow>& rows) {
   table.table = builder->table();
   for (std::size_t r = 0; r < table.results.size(); ++r) {
     TabulatedResult& result = table.results[r];
     std::size_t answered = 0, within_bound = 0, within_stated = 0;
     for (std::size_t check = 0; check < checks; ++check) {
       const study::TableValue found = table.table.at(first[check], r);
-      const double miss = std::abs(tabulated(head, rows[check])[r] - found.value);
+      const double miss = std::abs(tabulated(rows[check])[r] - found.value);
       if (!(found.error <= std::log1p(table.bound)) || !std::isfinite(miss)) continue;
       const double error = result.by_logarithm ? std::expm1(miss) : miss;
       ++answered;
@@ -322,17 +328,12 @@ std::vector<TableInput> inputs_of_box(const ResolvedCase& resolved) {
 
 std::vector<TabulatedResult> results_of_choice(const ManifestHeader& header,
                                                const std::vector<std::string>& chosen) {
-  const TableHead head = head_of(header);
-  Record record;
-  study::describe_row(record, study::PointResult{});
-  Json units = units_of(record);
-  const Json of_set = units_of(record_of(study::SetResult{}));  // outlives its items
-  for (const std::string& set : header.sets)
-    for (const auto& [column, unit] : of_set.items()) units["sets." + set + "." + column] = unit;
+  const ManifestHeader points{.sets = header.sets};  // without axes
+  const Json units = units_of(record_of(points, row_of_numbers({}, points)));
   std::vector<std::string> numbers;
   for (const auto& [name, unit] : units.items()) numbers.push_back(name);
   std::vector<TabulatedResult> results;
-  for (const std::string& name : chosen.empty() ? std::vector{head.life} : chosen) {
+  for (const std::string& name : chosen.empty() ? std::vector{header.life} : chosen) {
     if (!units.contains(name)) {
       const std::string near = nearest_word(name, numbers);
       throw BadInput(fmt::format("--result: found {}; required: a column of numbers of a sweep's table{}",
@@ -406,11 +407,8 @@ SweepRequest TableStudy::request() const {
     return compute_point(resolved, point.settings, level);
   };
   request.evaluate = [compute, points = request.points](std::size_t index) { return compute(points[index]); };
-  request.refinement =
-      Refinement{[state = state_](const TableHead& head, const std::vector<ResultRow>& rows) {
-                   return state->next(head, rows);
-                 },
-                 compute, "table"};
+  request.refinement = Refinement{
+      [state = state_](const std::vector<SweepRow>& rows) { return state->next(rows); }, compute, "table"};
   return request;
 }
 

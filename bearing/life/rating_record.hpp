@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bearing/life/rating_lives.hpp"
-#include "mechanics/record.hpp"
+#include "mechanics/columns.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -20,11 +20,14 @@ inline constexpr std::array<RatedLife, 4> kRatedLives{
      {"L10mrh", "modified reference rating life of ISO/TS 16281, a_ISO by lamina or ball",
       &RatedHours::modified_reference}}};
 
-void describe(described::Record& record, const RatedHours& hours);
-
+void list(described::Columns& columns, RatedHours& hours);
 /// Ratings, equivalent loads and their ratios.
-void describe_loads(described::Record& record, const RatingLives& lives);
+void list_loads(described::Columns& columns, RatingLives& lives);
 /// Factors of film, cleanliness and fatigue limit.
-void describe_factors(described::Record& record, const RatingLives& lives);
+void list_factors(described::Columns& columns, RatingLives& lives);
+
+void describe(described::Record& record, const RatedHours& hours);
+void describe_loads(described::Record& record, RatingLives lives);
+void describe_factors(described::Record& record, RatingLives lives);
 
 }  // namespace orbearing::bearing::rating

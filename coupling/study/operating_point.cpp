@@ -244,15 +244,16 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
 }
 
 DynamicRecord record_of(const system::SteadyStateResult& run) {
-  return {.steady = run.steady,
-          .roller_slip = 1.0 - run.statistics.mean_spin / run.rolling.spin,
-          .friction_moment = run.statistics.bore_friction_moment,
-          .vibration_power = run.statistics.vibration_power,
-          .loss = run.statistics.loss,
-          .series = run.series,
-          .run = run.report,
-          .final_state = run.final_state,
-          .layout = run.layout};
+  return {{.steady = run.steady,
+           .roller_slip = 1.0 - run.statistics.mean_spin / run.rolling.spin,
+           .friction_moment = run.statistics.bore_friction_moment,
+           .vibration_power = run.statistics.vibration_power,
+           .loss = run.statistics.loss},
+          run.series,
+          run.report,
+          run.final_state,
+          run.layout,
+          std::nullopt};
 }
 
 Eigen::ArrayXd position_angles(Eigen::Index positions) {

@@ -12,8 +12,9 @@
 #include "coupling/study/one_way.hpp"
 
 namespace orbearing::described {
+class Columns;
 class Record;
-}
+}  // namespace orbearing::described
 
 namespace orbearing::study {
 
@@ -57,22 +58,26 @@ struct LaminaRecord {
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();     // [N m]  of the rollers on the bore, along its tilt
 };
 
-/// Results of the motion in time only.
-struct DynamicRecord {
+/// Numbers of the motion in time.
+struct MotionNumbers {
   bool steady = false;               // false: the means still drifted when they were taken
   double roller_slip = 0.0;          // [-]  1 - mean roller spin / spin at pure rolling
   std::optional<double> orbit_slip;  // [-]  1 - mean orbital speed of rollers without cage / at pure rolling
   double friction_moment = 0.0;      // [N m]  of the bearing on the bore
   double vibration_power = 0.0;      // [W]    that the bearing takes from the bore beyond that
   bearing::motion::PowerLoss loss;   // [W]  by cause
-  system::BearingSeries series;      // of the last cage revolution
+  std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
+  std::optional<double> drag_over_traction = std::nullopt;       // [-]  how lightly the bearing is loaded
+  std::optional<double> drag_slip = std::nullopt;                // [-]  of the cage, under the loads at rest
+};
+
+/// Results of the motion in time only.
+struct DynamicRecord : MotionNumbers {
+  system::BearingSeries series;         // of the last cage revolution
   integration::IntegrationReport run;   // what it took
   Eigen::VectorXd final_state;          // final state; a neighbouring point may start from it
   bearing::motion::StateLayout layout;  // of that state
   std::optional<OneWayRecord> one_way;  // the law that replaced the bearings in gears that drive one of them
-  std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
-  std::optional<double> drag_over_traction = std::nullopt;       // [-]  how lightly the bearing is loaded
-  std::optional<double> drag_slip = std::nullopt;                // [-]  of the cage, under the loads at rest
 };
 
 /// Results of gears and bearings that act on each other only.
@@ -131,9 +136,9 @@ struct SetResult {
   UnlikeBearings unlike{};
 };
 
-/// Results of one operating point. Loads and lives are those of one bearing: of several sets, of the one
+/// Numbers of one operating point. Loads and lives are those of one bearing: of several sets, of the one
 /// whose bearings have the shortest life.
-struct PointResult {
+struct PointNumbers {
   double input_speed = 0.0;         // [rad/s]
   double carrier_speed = 0.0;       // [rad/s]
   double planet_load = 0.0;         // [N]  total on the bore of one bearing, with cage and rollers
@@ -151,37 +156,76 @@ struct PointResult {
   double contact_pressure =
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
-  bool caged = true;       // else there are no results of a cage
   double radial_clearance = 0.0;  // [m]  of the running bearing
   double rim_over_module =
       std::numeric_limits<double>::quiet_NaN();  // [-]  of a planet, between roots and bore, normal modules
   RatingRecord rating;
+  std::vector<PlanetResult> planets;  // none where all planets carry alike
+  std::string limiting_set;           // of several sets, the one these numbers belong to
+  std::vector<SetResult> sets;        // of several sets, all with bearings, in the order given
+  std::string status = "ok";          // "ok" or why the point failed
+};
+
+/// Results of one operating point.
+struct PointResult : PointNumbers {
+  bool caged = true;  // else there are no results of a cage
   bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
   bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
-  std::vector<PlanetResult> planets;     // none where all planets carry alike
   std::vector<SeatResult> seats;         // of one planet, or of unlike ones in turn, where tilts are computed
   std::optional<CarrierRevolution> carrier;  // at rest, where the carrier's bearings are stated
   std::optional<CoupledRecord> coupled;      // none where the bearings do not act back on the gears
-  std::string limiting_set;                  // of several sets, the one these numbers belong to
-  std::vector<SetResult> sets;               // of several sets, all with bearings, in the order given
-  std::string status = "ok";                 // "ok" or why the point failed
 };
+
+/// The worst of all planet bearings over a revolution of a carrier on its own bearings.
+struct CarrierNumbers {
+  double load_share = 0.0;                  // [-]  largest load over that of the torque shared evenly
+  double mesh_load_factor = 0.0;            // [-]  K_gamma
+  double face_load_sun = 0.0;               // [-]  K_Hbeta of the sun's meshes
+  double face_load_ring = 0.0;              // [-]
+  double back_flank_load = 0.0;             // [N]
+  double life_hours = 0.0;                  // [h]  of the bearing with the shortest
+  bearing::rating::RatedHours rated_hours;  // [h]  of the bearing with the shortest by each
+  double static_load = 0.0;                 // [N]  P_0 of the most loaded
+  double static_safety = 0.0;               // [-]  S_0 of it
+  double contact_pressure = 0.0;            // [Pa]
+};
+
+/// A row of a table of points: single values. Those of a point that failed are not numbers but its speed.
+struct PointRow : PointNumbers {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double rim_ovality = kNone;           // [m]  largest less least displacement of the outer race by the rim
+  double pressure_safety = kNone;       // [-]  S_0 by the largest pressure
+  double power_loss = kNone;            // [W]  in all, in motion
+  std::optional<MotionNumbers> motion;  // losses without a cage, or with one, that do not exist: no number
+  UnlikeBearings unlike;
+  double largest_bearing_tilt = kNone;   // [rad]
+  double largest_bearing_share = kNone;  // [-]  of the load of a planet, over the mean of its bearings
+  double exchange_residual = kNone;      // [-]  as of CoupledRecord
+  double exchange_window = kNone;        // [s]
+  std::optional<OneWayRecord> one_way;   // without its difference of loads, which is in `motion`
+  std::optional<CarrierNumbers> carrier;
+};
+
+PointRow row_of(const PointResult& point);
+
+/// The columns of a table, in their order.
+void list(described::Columns& columns, PointRow& row);
+/// Those of one of several sets, and of one planet where planets carry unlike loads.
+void list(described::Columns& columns, SetResult& set);
+void list(described::Columns& columns, PlanetResult& planet);
 
 /// Name of the array that holds the state in which the motion ended.
 inline constexpr const char* kFinalState = "final_state";
 
-/// Row of a table: single numbers and the status. For a failed point only input speed and status have a
-/// meaning.
+/// Row of a table. For a failed point only input speed and status have a meaning.
 void describe_row(described::Record& record, const PointResult& point);
 /// The same, with loads by position, bearings and planets one by one and the motion in time, which are for
 /// files.
 void describe(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const SetResult& set);
-/// One planet of a point, as rows of results list planets that carry unlike loads.
-void describe_planet(described::Record& record, const PlanetResult& planet);
 
 /// The governing life of a point.
 bearing::rating::Life governing_life(const PointResult& result);

@@ -8,12 +8,13 @@
 #include "bearing/life/rating_record.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "coupling/study/worst_bearing.hpp"
-#include "mechanics/record.hpp"
+#include "mechanics/columns.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
+using described::Columns;
 using described::kAbsent;
 using described::Record;
 namespace dimension = described::dimension;
@@ -24,84 +25,78 @@ constexpr const char* kRimMeaning = "rim of a planet between roots and bore, in 
 
 struct NamedRace {
   std::string name;
-  const RaceResult* result;
+  RaceResult* result;
 };
 
 template <class Result>
-std::array<NamedRace, 2> races_of(const Result& result) {
+std::array<NamedRace, 2> races_of(Result& result) {
   return {{{"inner", &result.inner}, {"outer", &result.outer}}};
 }
 
-void describe_loads_and_lives(Record& record, const PointResult& point) {
-  record.value("input_speed_rpm", dimension::angular_speed,
-               "input.speed: speed of the driving member, or of that which input.speed_of names",
-               point.input_speed);
-  record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
-               point.carrier_speed);
-  record.value("planet_load_N", dimension::force,
-               "total load on the bore of one bearing, with cage and rollers", point.planet_load);
-  record.value("tangential_load_N", dimension::force, "load of both meshes in the direction of rotation",
-               point.tangential_load);
-  record.value("centrifugal_load_N", dimension::force, "outward inertial load of planet, cage and rollers",
-               point.centrifugal_load);
-  for (const auto& [race, of] : races_of(point)) {
-    record.value(race + "_load_max_N", dimension::force,
-                 "largest load of one roller on the " + race + " race", of->load_max);
-    record.value(race + "_load_rms_N", dimension::force,
-                 "root mean square over time of one roller's load, " + race + " race", of->load_rms);
+void list_loads_and_lives(Columns& columns, PointRow& row) {
+  columns.value("input_speed_rpm", dimension::angular_speed,
+                "input.speed: speed of the driving member, or of that which input.speed_of names",
+                row.input_speed);
+  columns.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
+                row.carrier_speed);
+  columns.value("planet_load_N", dimension::force,
+                "total load on the bore of one bearing, with cage and rollers", row.planet_load);
+  columns.value("tangential_load_N", dimension::force, "load of both meshes in the direction of rotation",
+                row.tangential_load);
+  columns.value("centrifugal_load_N", dimension::force, "outward inertial load of planet, cage and rollers",
+                row.centrifugal_load);
+  for (const auto& [race, of] : races_of(row)) {
+    columns.value(race + "_load_max_N", dimension::force,
+                  "largest load of one roller on the " + race + " race", of->load_max);
+    columns.value(race + "_load_rms_N", dimension::force,
+                  "root mean square over time of one roller's load, " + race + " race", of->load_rms);
   }
-  for (const auto& [race, of] : races_of(point))
-    record.value(race + "_life_Mrev", dimension::revolutions, "fatigue life of the " + race + " race",
-                 of->life);
-  record.value("life_h", dimension::hours, "fatigue life of one bearing", point.life_hours);
-  record.value("system_life_h", dimension::hours, "fatigue life of all planet bearings of the set together",
-               point.system_life_hours);
-  record.value("cage_slip", dimension::ratio, "1 minus cage speed divided by its kinematic speed",
-               point.caged ? point.cage_slip : kAbsent);
-  for (const auto& [race, of] : races_of(point))
-    record.value("film_" + race + "_um", dimension::small_length, "least film on the " + race + " race",
-                 of->least_film);
-  record.value("status", "ok, or why the point failed", point.status);
+  for (const auto& [race, of] : races_of(row))
+    columns.value(race + "_life_Mrev", dimension::revolutions, "fatigue life of the " + race + " race",
+                  of->life);
+  columns.value("life_h", dimension::hours, "fatigue life of one bearing", row.life_hours);
+  columns.value("system_life_h", dimension::hours, "fatigue life of all planet bearings of the set together",
+                row.system_life_hours);
+  columns.value("cage_slip", dimension::ratio, "1 minus cage speed divided by its kinematic speed",
+                row.cage_slip);
+  for (const auto& [race, of] : races_of(row))
+    columns.value("film_" + race + "_um", dimension::small_length, "least film on the " + race + " race",
+                  of->least_film);
+  columns.text("status", "ok, or why the point failed", row.status);
 }
 
-double ovality(const std::vector<double>& race_form) {
-  if (race_form.empty()) return 0.0;
-  const auto [least, most] = std::ranges::minmax(race_form);
-  return most - least;
-}
-
-void describe_gears_and_fits(Record& record, const PointResult& point) {
-  record.value("radial_mesh_load_N", dimension::force, "outward load of both meshes", point.radial_mesh_load);
-  record.value("axial_mesh_force_N", dimension::force,
-               "axial force of the sun's helical teeth on one planet; that of the ring's is opposite",
-               point.axial_mesh_force);
-  record.value("overturning_moment_N_m", dimension::torque,
-               "moment of both axial forces on one planet about the tangential axis",
-               point.overturning_moment);
-  record.value("sun_thrust_N", dimension::force,
-               "axial force of all planets on the sun; that on the ring is opposite", point.sun_thrust);
-  record.value("contact_pressure_max_MPa", dimension::pressure,
-               "largest pressure of roller and race, after Hertz", point.contact_pressure);
-  record.value("operating_clearance_um", dimension::small_length,
-               "radial clearance of the running bearing, in diametral measure", point.radial_clearance);
-  record.value("rim_over_module", dimension::ratio, kRimMeaning, point.rim_over_module);
-  record.value("rim_ovality_um", dimension::small_length,
-               "largest less least outward displacement of the outer race by bending of the planet's rim",
-               ovality(point.distribution.race_form));
+void list_gears_and_fits(Columns& columns, PointRow& row) {
+  columns.value("radial_mesh_load_N", dimension::force, "outward load of both meshes", row.radial_mesh_load);
+  columns.value("axial_mesh_force_N", dimension::force,
+                "axial force of the sun's helical teeth on one planet; that of the ring's is opposite",
+                row.axial_mesh_force);
+  columns.value("overturning_moment_N_m", dimension::torque,
+                "moment of both axial forces on one planet about the tangential axis",
+                row.overturning_moment);
+  columns.value("sun_thrust_N", dimension::force,
+                "axial force of all planets on the sun; that on the ring is opposite", row.sun_thrust);
+  columns.value("contact_pressure_max_MPa", dimension::pressure,
+                "largest pressure of roller and race, after Hertz", row.contact_pressure);
+  columns.value("operating_clearance_um", dimension::small_length,
+                "radial clearance of the running bearing, in diametral measure", row.radial_clearance);
+  columns.value("rim_over_module", dimension::ratio, kRimMeaning, row.rim_over_module);
+  columns.value("rim_ovality_um", dimension::small_length,
+                "largest less least outward displacement of the outer race by bending of the planet's rim",
+                row.rim_ovality);
 }
 
 // Ratings of one bearing by the standards.
-void describe_ratings(Record& record, const PointResult& point) {
-  const bearing::rating::RatingLives& lives = point.rating.lives;
-  record.value("life_Mrev", dimension::revolutions, "fatigue life of one bearing, in revolutions", point.life)
+void list_ratings(Columns& columns, PointRow& row) {
+  bearing::rating::RatingLives& lives = row.rating.lives;
+  columns.value("life_Mrev", dimension::revolutions, "fatigue life of one bearing, in revolutions", row.life)
       .variable = "life_revolutions";
-  describe(record, point.rating.hours);
+  list(columns, row.rating.hours);
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
-    record.value(std::string("system_") + life.name, dimension::hours,
-                 std::string(life.name) + " of all planet bearings together",
-                 point.rating.system_hours.*life.hours);
-  const auto revolutions = [&](const char* name, const char* meaning, double value) {
-    record.value(name, dimension::revolutions, meaning, value);
+    columns.value(std::string("system_") + life.name, dimension::hours,
+                  std::string(life.name) + " of all planet bearings together",
+                  row.rating.system_hours.*life.hours);
+  const auto revolutions = [&](const char* name, const char* meaning, double& value) {
+    columns.value(name, dimension::revolutions, meaning, value);
   };
   revolutions("L10_Mrev", "basic rating life of ISO 281", lives.basic);
   revolutions("L10r_Mrev", "basic reference rating life of ISO/TS 16281", lives.reference.bearing);
@@ -112,67 +107,193 @@ void describe_ratings(Record& record, const PointResult& point) {
               lives.modified_reference.inner);
   revolutions("outer_L10m_Mrev", "modified reference rating life of ISO/TS 16281 of the outer race",
               lives.modified_reference.outer);
-  describe_loads(record, lives);
-  describe_factors(record, lives);
-  const double allowed = bearing::rating::static_pressure(point.element);
-  const bool rollers = point.element == bearing::rating::RollingElement::roller;
-  record.value(
+  list_loads(columns, lives);
+  list_factors(columns, lives);
+  columns.value(
       "static_safety", dimension::ratio,
       "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa, of balls 4200 MPa",
-      std::pow(allowed / point.contact_pressure, rollers ? 2 : 3));
+      row.pressure_safety);
 }
 
-void describe_losses(Record& record, const PointResult& point) {
-  const bool moves = point.dynamic.has_value();
-  const bearing::motion::PowerLoss loss = moves ? point.dynamic->loss : bearing::motion::PowerLoss{};
-  const auto add = [&](const std::string& cause, const std::string& meaning, double value,
-                       bool there = true) {
-    record.value("power_loss" + cause + "_W", dimension::heat, "power lost " + meaning,
-                 moves && there ? value : kAbsent);
+void list_losses(Columns& columns, bearing::motion::PowerLoss& loss) {
+  const auto add = [&](const std::string& cause, const std::string& meaning, double& value) {
+    columns.value("power_loss_" + cause + "_W", dimension::heat, "power lost " + meaning, value);
   };
-  add("", "in all", loss.total());
-  add("_race_damping", "to damping of the race contacts", loss.race_damping);
-  add("_inner_traction", "to sliding on the inner race", loss.inner_traction);
-  add("_outer_traction", "to sliding on the outer race", loss.outer_traction);
-  add("_rolling", "to rolling resistance", loss.rolling);
-  add("_drag", "to the oil-air mixture", loss.drag);
-  add("_pockets", "in the cage pockets", loss.pockets, point.caged);
-  add("_guidance", "in the cage guidance", loss.guidance, point.caged);
-  add("_neighbours", "between rollers that touch one another, without a cage", loss.neighbours, !point.caged);
-  add("_support", "in the support of the pin", loss.support);
+  add("race_damping", "to damping of the race contacts", loss.race_damping);
+  add("inner_traction", "to sliding on the inner race", loss.inner_traction);
+  add("outer_traction", "to sliding on the outer race", loss.outer_traction);
+  add("rolling", "to rolling resistance", loss.rolling);
+  add("drag", "to the oil-air mixture", loss.drag);
+  add("pockets", "in the cage pockets", loss.pockets);
+  add("guidance", "in the cage guidance", loss.guidance);
+  add("neighbours", "between rollers that touch one another, without a cage", loss.neighbours);
+  add("support", "in the support of the pin", loss.support);
 }
 
-// Absent from the quasi-static model.
-void describe_motion(Record& record, const PointResult& point) {
-  const auto moving = [&](const auto& part) { return point.dynamic ? part(*point.dynamic) : kAbsent; };
-  record.value("roller_slip", dimension::ratio, "1 minus mean roller spin divided by that at pure rolling",
-               moving([](const DynamicRecord& d) { return d.roller_slip; }));
-  record.value("orbit_slip", dimension::ratio,
-               "1 minus mean orbital speed of the rollers divided by that at pure rolling, without a cage",
-               moving([](const DynamicRecord& d) { return d.orbit_slip.value_or(kAbsent); }));
-  record.value(
+// Slip, friction and lightness of the load.
+void list_slip(Columns& columns, MotionNumbers& motion) {
+  columns.value("roller_slip", dimension::ratio, "1 minus mean roller spin divided by that at pure rolling",
+                motion.roller_slip);
+  columns.value("orbit_slip", dimension::ratio,
+                "1 minus mean orbital speed of the rollers divided by that at pure rolling, without a cage",
+                motion.orbit_slip);
+  columns.value(
       "drag_over_traction", dimension::ratio,
       "drag of the oil on rollers and cage at pure rolling over the largest traction of the loaded rollers; "
       "above 1 the bearing is lightly loaded",
-      moving([](const DynamicRecord& d) { return d.drag_over_traction.value_or(kAbsent); }));
-  record.value(
+      motion.drag_over_traction);
+  columns.value(
       "drag_slip", dimension::ratio,
       "cage_slip that the loads at rest give by traction, rolling resistance, drag and guidance of the cage; "
       "within 0.03 of cage_slip where rollers do not bounce",
-      moving([](const DynamicRecord& d) { return d.drag_slip.value_or(kAbsent); }));
-  record.value(
+      motion.drag_slip);
+  columns.value(
       "friction_moment_N_m", dimension::torque,
       "mean friction moment of the bearing on the bore. Times the planet's speed relative to the carrier, "
       "plus vibration_power_W, it is power_loss_W within 3 %",
-      moving([](const DynamicRecord& d) { return d.friction_moment; }));
-  record.value(
+      motion.friction_moment);
+  columns.value(
       "vibration_power_W", dimension::heat,
       "power that vibration of the planet brings into the bearing, beyond mean friction moment times "
       "mean speed",
-      moving([](const DynamicRecord& d) { return d.vibration_power; }));
-  describe_losses(record, point);
-  record.value("steady", dimension::ratio, "1: the means were steady; 0: they drifted to the end",
-               moving([](const DynamicRecord& d) { return d.steady ? 1.0 : 0.0; }));
+      motion.vibration_power);
+}
+
+void list_motion(Columns& columns, PointRow& row) {
+  columns.part(row.motion, [&](MotionNumbers& motion) { list_slip(columns, motion); });
+  columns.value("power_loss_W", dimension::heat, "power lost in all", row.power_loss);
+  columns.part(row.motion, [&](MotionNumbers& motion) {
+    list_losses(columns, motion.loss);
+    columns.value("steady", dimension::ratio, "1: the means were steady; 0: they drifted to the end",
+                  motion.steady);
+  });
+}
+
+void list(Columns& columns, UnlikeBearings& unlike) {
+  columns.value("shortest_life_h", dimension::hours,
+                "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings "
+                "act on the gears",
+                unlike.shortest_hours);
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+    columns.value(std::string("shortest_") + life.name, dimension::hours,
+                  std::string(life.name) +
+                      ", shortest of all bearings, where planets load unevenly or their tilt is computed",
+                  unlike.shortest_rated.*life.hours);
+  columns.value("shortest_life_planet", dimension::ratio,
+                "planet with the shortest bearing life, counted from 1, where life_h is that of unlike "
+                "planets together",
+                unlike.planet);
+  columns.value("largest_load_share", dimension::ratio,
+                "mean tangential load of the most loaded planet, divided by the mean of all planets",
+                unlike.load_share);
+}
+
+// Results for planets or bearings that are unlike.
+void list_sharing(Columns& columns, PointRow& row) {
+  list(columns, row.unlike);
+  columns.value("largest_bearing_tilt_mrad", dimension::small_angle,
+                "largest tilt of a bore against its pin, where the tilt of planets is computed",
+                row.largest_bearing_tilt);
+  columns.value("largest_bearing_share", dimension::ratio,
+                "load of the most loaded bearing of a planet, divided by the mean of its bearings, likewise",
+                row.largest_bearing_share);
+  columns.value("interface_energy_residual", dimension::ratio,
+                "energy error of the exchange of gears and bearings, divided by the exchanged energy",
+                row.exchange_residual);
+  columns.value("interface_window_us", kMicroseconds, "mean time between two exchanges; 0: one system",
+                row.exchange_window);
+}
+
+// force - stiffness x displacement - damping x velocity of a planet on all its bearings.
+void list_law(Columns& columns, gearset::dynamics::AffineBearing& law) {
+  const auto add = [&](const std::string& name, const char* unit, const described::Dimension& of,
+                       double& value) {
+    columns.value("one_way_" + name + unit, of, "fitted model of all bearings of a planet: one_way_" + name,
+                  value);
+  };
+  const std::array<std::string, 2> axes{"x", "y"};
+  const auto add_matrix = [&](const std::string& name, const char* unit, const described::Dimension& of,
+                              Eigen::Matrix2d& matrix) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        add(name + "_" + axes[static_cast<std::size_t>(i)] + axes[static_cast<std::size_t>(j)], unit, of,
+            matrix(i, j));
+  };
+  add_matrix("stiffness", "_N_per_m", dimension::stiffness, law.stiffness);
+  add_matrix("damping", "_N_s_per_m", dimension::damping, law.damping);
+  add("force_x", "_N", dimension::force, law.force.x());
+  add("force_y", "_N", dimension::force, law.force.y());
+}
+
+void list_fit(Columns& columns, OneWayRecord& fit) {
+  const auto add = [&](const std::string& name, const char* meaning, auto& value) {
+    columns.value("one_way_" + name, dimension::ratio, meaning, value);
+  };
+  add("runs", "runs of gears and bearing for the fitted model between them", fit.runs);
+  add("accepted",
+      "1: the last run agrees with the fitted model that drove it, and the gears with its mean load; 0: no "
+      "agreement",
+      fit.accepted);
+  add("residual", "share of the bearing force at mesh harmonics that the fitted model does not cover",
+      fit.fitted.residual);
+  add("stiffness_change", "change of the stiffness in the last run", fit.fitted.stiffness_change);
+  add("damping_change", "change of the damping in the last run", fit.fitted.damping_change);
+}
+
+// The law that replaced the bearings in gears that drive one of them.
+void list_one_way(Columns& columns, PointRow& row) {
+  columns.part(row.one_way, [&](OneWayRecord& fit) { list_fit(columns, fit); });
+  columns.part(row.motion, [&](MotionNumbers& motion) {
+    columns.value(
+        "one_way_load_difference", dimension::ratio,
+        "of the gears' mean force on the planet's bearings from the load under which the bearing ran",
+        motion.one_way_load_difference);
+  });
+  columns.part(row.one_way, [&](OneWayRecord& fit) { list_law(columns, fit.fitted.bearing); });
+}
+
+// Over a revolution of a carrier whose bearings are stated: the worst of all planet bearings.
+void list_carrier(Columns& columns, CarrierNumbers& carrier) {
+  columns.value(
+      "carrier_load_share", dimension::ratio,
+      "largest load of one planet bearing over a revolution of the carrier, over that of the torque "
+      "shared evenly, where gearset.carrier states the carrier's bearings",
+      carrier.load_share);
+  columns.value("carrier_K_gamma", dimension::ratio,
+                "largest mesh force of a planet over the mean of all, over a revolution, likewise",
+                carrier.mesh_load_factor);
+  columns.value("carrier_K_Hbeta_sun", dimension::ratio,
+                "largest load per width of the sun's meshes over its mean, likewise", carrier.face_load_sun);
+  columns.value("carrier_K_Hbeta_ring", dimension::ratio, "the same of the ring's meshes",
+                carrier.face_load_ring);
+  columns.value("carrier_back_flank_load_N", dimension::force,
+                "largest normal force of back flanks over a revolution, likewise", carrier.back_flank_load);
+  columns.value("carrier_life_h", dimension::hours,
+                "life_h of the planet bearing with the shortest, under its loads over a revolution",
+                carrier.life_hours);
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+    columns.value(std::string("carrier_") + life.name, dimension::hours,
+                  std::string(life.name) + " of the planet bearing with the shortest, likewise",
+                  carrier.rated_hours.*life.hours);
+  columns.value("carrier_P0_N", dimension::force,
+                "static equivalent load of the most loaded planet bearing over a revolution, likewise",
+                carrier.static_load);
+  columns.value("carrier_S0", dimension::ratio, "basic static load rating over that load",
+                carrier.static_safety);
+  columns.value("carrier_contact_pressure_max_MPa", dimension::pressure,
+                "largest pressure of roller and race of all planet bearings over a revolution, likewise",
+                carrier.contact_pressure);
+}
+
+double ovality(const std::vector<double>& race_form) {
+  if (race_form.empty()) return 0.0;
+  const auto [least, most] = std::ranges::minmax(race_form);
+  return most - least;
+}
+
+double pressure_safety(const PointResult& point) {
+  const bool rollers = point.element == bearing::rating::RollingElement::roller;
+  return std::pow(bearing::rating::static_pressure(point.element) / point.contact_pressure, rollers ? 2 : 3);
 }
 
 template <class Items, class Value>
@@ -197,130 +318,33 @@ double largest_bearing_share(const PointResult& point) {
   return most;
 }
 
-void describe(Record& record, const UnlikeBearings& unlike) {
-  record.value("shortest_life_h", dimension::hours,
-               "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings "
-               "act on the gears",
-               unlike.shortest_hours);
-  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
-    record.value(std::string("shortest_") + life.name, dimension::hours,
-                 std::string(life.name) +
-                     ", shortest of all bearings, where planets load unevenly or their tilt is computed",
-                 unlike.shortest_rated.*life.hours);
-  record.value("shortest_life_planet", dimension::ratio,
-               "planet with the shortest bearing life, counted from 1, where life_h is that of unlike "
-               "planets together",
-               unlike.planet);
-  record.value("largest_load_share", dimension::ratio,
-               "mean tangential load of the most loaded planet, divided by the mean of all planets",
-               unlike.load_share);
-}
-
-// Results for planets or bearings that are unlike.
-void describe_sharing(Record& record, const PointResult& point) {
-  describe(record, unlike_bearings(point));
-  record.value("largest_bearing_tilt_mrad", dimension::small_angle,
-               "largest tilt of a bore against its pin, where the tilt of planets is computed",
-               largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); }));
-  record.value("largest_bearing_share", dimension::ratio,
-               "load of the most loaded bearing of a planet, divided by the mean of its bearings, likewise",
-               largest_bearing_share(point));
-  record.value("interface_energy_residual", dimension::ratio,
-               "energy error of the exchange of gears and bearings, divided by the exchanged energy",
-               point.coupled ? point.coupled->energy_residual : kAbsent);
-  record.value("interface_window_us", kMicroseconds, "mean time between two exchanges; 0: one system",
-               point.coupled ? point.coupled->window : kAbsent);
-}
-
-// force - stiffness x displacement - damping x velocity of a planet on all its bearings.
-void describe_law(Record& record, const gearset::dynamics::AffineBearing& law) {
-  const auto add = [&](const std::string& name, const char* unit, const described::Dimension& of,
-                       double value) {
-    record.value("one_way_" + name + unit, of, "fitted model of all bearings of a planet: one_way_" + name,
-                 value);
-  };
-  const std::array<std::string, 2> axes{"x", "y"};
-  const auto add_matrix = [&](const std::string& name, const char* unit, const described::Dimension& of,
-                              const Eigen::Matrix2d& matrix) {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        add(name + "_" + axes[static_cast<std::size_t>(i)] + axes[static_cast<std::size_t>(j)], unit, of,
-            matrix(i, j));
-  };
-  add_matrix("stiffness", "_N_per_m", dimension::stiffness, law.stiffness);
-  add_matrix("damping", "_N_s_per_m", dimension::damping, law.damping);
-  add("force_x", "_N", dimension::force, law.force.x());
-  add("force_y", "_N", dimension::force, law.force.y());
-}
-
-// The law that replaced the bearings in gears that drive one of them.
-void describe_one_way(Record& record, const PointResult& point) {
-  OneWayRecord fit;
-  const bool there = point.dynamic && point.dynamic->one_way;
-  if (there) {
-    fit = *point.dynamic->one_way;
-  } else {
-    fit.fitted.bearing.stiffness.setConstant(kAbsent);
-    fit.fitted.bearing.damping.setConstant(kAbsent);
-    fit.fitted.bearing.force.setConstant(kAbsent);
-  }
-  const auto add = [&](const char* name, const char* meaning, double value) {
-    record.value(std::string("one_way_") + name, dimension::ratio, meaning, there ? value : kAbsent);
-  };
-  add("runs", "runs of gears and bearing for the fitted model between them", fit.runs);
-  add("accepted",
-      "1: the last run agrees with the fitted model that drove it, and the gears with its mean load; 0: no "
-      "agreement",
-      fit.accepted ? 1.0 : 0.0);
-  add("residual", "share of the bearing force at mesh harmonics that the fitted model does not cover",
-      fit.fitted.residual);
-  add("stiffness_change", "change of the stiffness in the last run", fit.fitted.stiffness_change);
-  add("damping_change", "change of the damping in the last run", fit.fitted.damping_change);
-  const bool compared = point.dynamic && point.dynamic->one_way_load_difference;
-  record.value("one_way_load_difference", dimension::ratio,
-               "of the gears' mean force on the planet's bearings from the load under which the bearing ran",
-               compared ? *point.dynamic->one_way_load_difference : kAbsent);
-  describe_law(record, fit.fitted.bearing);
-}
-
-// Over a revolution of a carrier whose bearings are stated: the worst of all planet bearings.
-void describe_carrier(Record& record, const PointResult& point) {
-  const auto of = [&](const auto& part) { return point.carrier ? part(*point.carrier) : kAbsent; };
-  using Whole = CarrierRevolution;
-  record.value("carrier_load_share", dimension::ratio,
-               "largest load of one planet bearing over a revolution of the carrier, over that of the torque "
-               "shared evenly, where gearset.carrier states the carrier's bearings",
-               of([](const Whole& r) { return r.largest_share(); }));
-  record.value("carrier_K_gamma", dimension::ratio,
-               "largest mesh force of a planet over the mean of all, over a revolution, likewise",
-               of([](const Whole& r) { return r.mesh_load_factor; }));
-  record.value("carrier_K_Hbeta_sun", dimension::ratio,
-               "largest load per width of the sun's meshes over its mean, likewise",
-               of([](const Whole& r) { return r.face_load(true); }));
-  record.value("carrier_K_Hbeta_ring", dimension::ratio, "the same of the ring's meshes",
-               of([](const Whole& r) { return r.face_load(false); }));
-  record.value("carrier_back_flank_load_N", dimension::force,
-               "largest normal force of back flanks over a revolution, likewise",
-               of([](const Whole& r) { return r.back_flank_load(); }));
-  record.value(
-      "carrier_life_h", dimension::hours,
-      "life_h of the planet bearing with the shortest, under its loads over a revolution",
-      of([](const Whole& r) {
-        return std::ranges::min_element(r.bearings, {}, &BearingOverRevolution::life_hours)->life_hours;
-      }));
-  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
-    record.value(std::string("carrier_") + life.name, dimension::hours,
-                 std::string(life.name) + " of the planet bearing with the shortest, likewise",
-                 of([&](const Whole& r) { return r.worst(life.hours).rated_hours.*life.hours; }));
+CarrierNumbers numbers_of(const CarrierRevolution& revolution) {
   using One = BearingOverRevolution;
-  record.value("carrier_P0_N", dimension::force,
-               "static equivalent load of the most loaded planet bearing over a revolution, likewise",
-               of([](const Whole& r) { return r.most_loaded(&One::static_load).static_load; }));
-  record.value("carrier_S0", dimension::ratio, "basic static load rating over that load",
-               of([](const Whole& r) { return r.most_loaded(&One::static_load).static_safety; }));
-  record.value("carrier_contact_pressure_max_MPa", dimension::pressure,
-               "largest pressure of roller and race of all planet bearings over a revolution, likewise",
-               of([](const Whole& r) { return r.most_loaded(&One::largest_pressure).largest_pressure; }));
+  const One& most_loaded = revolution.most_loaded(&One::static_load);
+  CarrierNumbers numbers{
+      .load_share = revolution.largest_share(),
+      .mesh_load_factor = revolution.mesh_load_factor,
+      .face_load_sun = revolution.face_load(true),
+      .face_load_ring = revolution.face_load(false),
+      .back_flank_load = revolution.back_flank_load(),
+      .life_hours = std::ranges::min_element(revolution.bearings, {}, &One::life_hours)->life_hours,
+      .static_load = most_loaded.static_load,
+      .static_safety = most_loaded.static_safety,
+      .contact_pressure = revolution.most_loaded(&One::largest_pressure).largest_pressure};
+  for (const auto hours : bearing::rating::kRatedHours)
+    numbers.rated_hours.*hours = revolution.worst(hours).rated_hours.*hours;
+  return numbers;
+}
+
+void put_motion(const PointResult& point, PointRow& row) {
+  row.motion = *point.dynamic;
+  row.one_way = point.dynamic->one_way;
+  bearing::motion::PowerLoss& loss = row.motion->loss;
+  row.power_loss = loss.total();
+  if (point.caged)
+    loss.neighbours = kAbsent;
+  else
+    loss.pockets = loss.guidance = kAbsent;
 }
 
 void describe_distribution(Record& record, const LoadDistribution& loads) {
@@ -436,14 +460,35 @@ void describe_final_state(Record& record, const DynamicRecord& motion) {
 
 }  // namespace
 
+PointRow row_of(const PointResult& point) {
+  PointRow row{point};
+  if (!point.caged) row.cage_slip = kAbsent;
+  row.rim_ovality = ovality(point.distribution.race_form);
+  row.pressure_safety = pressure_safety(point);
+  if (point.dynamic) put_motion(point, row);
+  row.unlike = unlike_bearings(point);
+  row.largest_bearing_tilt = largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); });
+  row.largest_bearing_share = largest_bearing_share(point);
+  if (point.coupled) {
+    row.exchange_residual = point.coupled->energy_residual;
+    row.exchange_window = point.coupled->window;
+  }
+  if (point.carrier) row.carrier = numbers_of(*point.carrier);
+  return row;
+}
+
+void list(Columns& columns, PointRow& row) {
+  list_loads_and_lives(columns, row);
+  list_gears_and_fits(columns, row);
+  list_ratings(columns, row);
+  list_motion(columns, row);
+  list_sharing(columns, row);
+  list_one_way(columns, row);
+  columns.part(row.carrier, [&](CarrierNumbers& carrier) { list_carrier(columns, carrier); });
+}
+
 void describe_row(Record& record, const PointResult& point) {
-  describe_loads_and_lives(record, point);
-  describe_gears_and_fits(record, point);
-  describe_ratings(record, point);
-  describe_motion(record, point);
-  describe_sharing(record, point);
-  describe_one_way(record, point);
-  describe_carrier(record, point);
+  describe_listed(record, row_of(point));
 }
 
 void describe(Record& record, const PointResult& point) {
@@ -467,31 +512,35 @@ void describe(Record& record, const PointResult& point) {
   describe_final_state(record, *point.dynamic);
 }
 
-void describe_planet(Record& record, const PlanetResult& planet) {
-  record.value("load_share", dimension::ratio,
-               "tangential load of a planet, mean over time, over the mean of all planets",
-               planet.load_share);
-  record.value("bearing_load_N", dimension::force,
-               "load of the rollers on the bore of one bearing, mean over time", planet.load);
-  record.value("life_h", dimension::hours, "fatigue life of one bearing", planet.life_hours);
-  describe(record, planet.rated_hours);
+void list(Columns& columns, PlanetResult& planet) {
+  columns.value("load_share", dimension::ratio,
+                "tangential load of a planet, mean over time, over the mean of all planets",
+                planet.load_share);
+  columns.value("bearing_load_N", dimension::force,
+                "load of the rollers on the bore of one bearing, mean over time", planet.load);
+  columns.value("life_h", dimension::hours, "fatigue life of one bearing", planet.life_hours);
+  list(columns, planet.rated_hours);
+}
+
+void list(Columns& columns, SetResult& set) {
+  columns.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
+                set.carrier_speed);
+  columns.value("planet_load_N", dimension::force, "total load on the bore of one bearing", set.planet_load);
+  for (const auto& [race, of] : races_of(set))
+    columns.value(race + "_load_max_N", dimension::force,
+                  "largest load of one roller on the " + race + " race", of->load_max);
+  columns.value("life_h", dimension::hours, "fatigue life of one bearing", set.life_hours);
+  list(columns, set.rating.hours);
+  list_loads(columns, set.rating.lives);
+  columns.value("contact_pressure_max_MPa", dimension::pressure,
+                "largest pressure of roller and race, after Hertz", set.contact_pressure);
+  list_factors(columns, set.rating.lives);
+  columns.value("rim_over_module", dimension::ratio, kRimMeaning, set.rim_over_module);
+  list(columns, set.unlike);
 }
 
 void describe(Record& record, const SetResult& set) {
-  record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
-               set.carrier_speed);
-  record.value("planet_load_N", dimension::force, "total load on the bore of one bearing", set.planet_load);
-  for (const auto& [race, of] : races_of(set))
-    record.value(race + "_load_max_N", dimension::force,
-                 "largest load of one roller on the " + race + " race", of->load_max);
-  record.value("life_h", dimension::hours, "fatigue life of one bearing", set.life_hours);
-  describe(record, set.rating.hours);
-  describe_loads(record, set.rating.lives);
-  record.value("contact_pressure_max_MPa", dimension::pressure,
-               "largest pressure of roller and race, after Hertz", set.contact_pressure);
-  describe_factors(record, set.rating.lives);
-  record.value("rim_over_module", dimension::ratio, kRimMeaning, set.rim_over_module);
-  describe(record, set.unlike);
+  describe_listed(record, set);
 }
 
 }  // namespace orbearing::study

@@ -52,7 +52,7 @@ const std::string kOwn = "{power: 150 kW, speed: 6000 rpm, share: 1}";
 void expect_own_point(const SweepOutcome& outcome) {
   for (const char* name : {"life_h", "system_life_h", "L10mh", "system_L10mh", "inner_life_Mrev",
                            "outer_life_Mrev", "inner_L10m_Mrev", "outer_L10m_Mrev"}) {
-    const double own = value_of(outcome.head, outcome.rows.at(0), name);
+    const double own = number_named(outcome.header, outcome.rows.at(0), name);
     ASSERT_TRUE(std::isfinite(own)) << name;
     EXPECT_NEAR(life_of(outcome.spectra.at(0), name), own, kSame * own) << name;
   }
@@ -123,10 +123,9 @@ TEST(LoadSpectra, StandsOnceForEachOtherSweptValue) {
   ASSERT_EQ(outcome.rows.size(), 4U);
   ASSERT_EQ(outcome.spectra.size(), 2U);
   for (const SpectrumResult& result : outcome.spectra)
-    for (const ResultRow& row : outcome.rows)
-      if (value_of(outcome.head, row, "input_speed_rpm") == 6000.0 &&
-          value_of(outcome.head, row, "bearing.radial_clearance_um") == result.axis_values.at(0)) {
-        const double own = value_of(outcome.head, row, "life_h");
+    for (const SweepRow& row : outcome.rows)
+      if (speed_in_rpm(row.point.input_speed) == 6000.0 && row.axes.at(0) == result.axis_values.at(0)) {
+        const double own = row.point.life_hours;
         EXPECT_NEAR(life_of(result, "life_h"), own, kSame * own);
       }
   EXPECT_TRUE(spectrum_json(outcome.header, outcome.spectra).is_array());
@@ -138,10 +137,10 @@ TEST(LoadSpectra, OfSeveralSetsIsOneForEach) {
   const SweepOutcome outcome = outcome_of_case(in);
   const SpectrumResult& found = outcome.spectra.at(0);
   for (const std::string& set : outcome.header.sets) {
-    const double own = value_of(outcome.head, outcome.rows.at(0), "sets." + set + ".life_h");
+    const double own = number_named(outcome.header, outcome.rows.at(0), "sets." + set + ".life_h");
     EXPECT_NEAR(life_of(found, "sets." + set + ".life_h"), own, kSame * own);
   }
-  EXPECT_EQ(found.worst.set, outcome.rows.at(0).limiting_set);
+  EXPECT_EQ(found.worst.set, outcome.rows.at(0).point.limiting_set);
   EXPECT_EQ(life_of(found, "life_h"), life_of(found, "sets." + found.worst.set + ".life_h"));
 }
 

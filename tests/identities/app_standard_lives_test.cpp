@@ -260,8 +260,9 @@ TEST(StandardLives, TheLifeToGoByIsChosen) {
     for (const std::vector<std::string>& settings : {std::vector<std::string>{}, {oil}}) {
       const ResolvedCase in = at(settings, method);
       const study::PointResult one = point(in);
-      const TableHead head = head_of(sweep_request(in, "quasi-static").header);
-      EXPECT_EQ(in_table_unit(study::governing_hours(one), 1.0), governing_life_in(head, result_row(one, {})))
+      const ManifestHeader header = sweep_request(in, "quasi-static").header;
+      EXPECT_EQ(in_table_unit(study::governing_hours(one), 1.0),
+                governing_hours(header, sweep_row(one, header).point))
           << method;
     }
 }
@@ -281,11 +282,11 @@ TEST(StandardLives, PeaksGoByTheLifeChosen) {
     const LifePeak peak = find_peak(outcome).peak;
     EXPECT_EQ(peak.life, governing_life_key(in));
     double longest = 0.0, speed = 0.0;
-    for (const ResultRow& row : outcome.rows) {
-      const double life = value_of(outcome.head, row, peak.life);
+    for (const SweepRow& row : outcome.rows) {
+      const double life = number_named(outcome.header, row, peak.life);
       if (life <= longest) continue;
       longest = life;
-      speed = value_of(outcome.head, row, "input_speed_rpm");
+      speed = speed_in_rpm(row.point.input_speed);
     }
     EXPECT_EQ(peak.refined_life_h, longest) << method;
     EXPECT_EQ(peak.refined_speed_rpm, speed) << method;

@@ -42,7 +42,7 @@ COLLECTING = re.compile(r"warning|mistake|problem|validation_error|list$|texts$|
 # Words of a text that is composed before it is thrown or listed.
 SPOKEN = re.compile(r"\brequired\b|\bfound\b|\bcannot be\b|\bno static equilibrium\b|\bno longer\b|\bnot finite\b|\bhas no effect\b"
                     r"|\bleft the bearing\b|\bdrifted\b|\bit is not\b|\bits unit\b|\bits value\b|\bis out of range\b|\bis none of\b")
-UNSPOKEN_FILES = re.compile(r"_fields\.(cpp|hpp)$|_output\.cpp$|/schema\.cpp$|/export/|/result_row\.cpp$|^app/commands/\w+\.hpp$|^python/")
+UNSPOKEN_FILES = re.compile(r"_fields\.(cpp|hpp)$|_output\.cpp$|/schema\.cpp$|/export/|/sweep_row\.cpp$|^app/commands/\w+\.hpp$|^python/")
 RECORDED = {"value", "array", "series", "table", "child", "nothing"}  # of a record of results: what a value means
 NO_MESSAGES = {"app/study/effects.cpp"}  # its lists are of names
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/case/field_use.hpp"
 #include "app/case/analysis_names.hpp"
+#include "app/case/field_use.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
@@ -89,15 +89,16 @@ inline std::string resonance_result(const ResolvedCase& in, const study::PointRe
 /// One point of a run or sweep: all columns, the loads by place, the final state.
 inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
   const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
-  std::string text = digits(result_row(point, {}, bearing_set_names(in)).values) +
-                     digits(std::vector<double>{study::governing_hours(point)}) +
+  const ManifestHeader header{.sets = bearing_set_names(in)};
+  const SweepRow row = sweep_row(point, header);
+  std::vector<double> numbers;
+  for (const auto& [name, number] : named_numbers(header, row)) numbers.push_back(number);
+  std::string text = digits(numbers) + digits(std::vector<double>{study::governing_hours(point)}) +
                      digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state) + resonance_result(in, point, fidelity);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);
   if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);
-  ManifestHeader header{.sets = bearing_set_names(in)};
-  const TableHead head = head_of(header);
-  const SweepOutcome outcome{header, head, {result_row(point, {}, header.sets)}};
+  const SweepOutcome outcome{header, {row}};
   text += verdicts_result(verdicts_of(stated_requirements(in), outcome));
   return text + point.status;
 }

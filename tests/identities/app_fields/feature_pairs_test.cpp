@@ -134,7 +134,7 @@ study::PointResult point(const ResolvedCase& in) {
 }
 
 double number(const study::PointResult& result, const std::string& column) {
-  return value_of(table_head({}), result_row(result, {}), column);
+  return number_named({}, sweep_row(result, {}), column);
 }
 
 void expect_equal(double a, double b, const std::string& what, double within = 1e-9) {

@@ -84,8 +84,7 @@ TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
       const std::size_t point = direction == Direction::up ? i : points - 1 - i;
       if (point == fake_sweep::failing_point) continue;  // the next one starts where this one did
       state = next_state(point, state);
-      EXPECT_EQ(value_of(outcome.head, outcome.rows[point], "cage_slip"), in_table_unit(state[0], 1.0))
-          << point;
+      EXPECT_EQ(outcome.rows[point].point.cage_slip, state[0]) << point;
       EXPECT_EQ(read_final_state(location / to_string(direction) / point_file_name(point)).front(), state[0]);
     }
   }
@@ -171,8 +170,9 @@ TEST(PointFile, FinalStateNamesEachOfItsVariables) {
        {bearing::motion::StateLayout{.rollers = 3}, bearing::motion::StateLayout{.rollers = 3, .waves = 5},
         bearing::motion::StateLayout{.rollers = 3, .tilting = true, .waves = 5, .caged = false}}) {
     study::PointResult result;
-    result.dynamic =
-        study::DynamicRecord{.final_state = Eigen::VectorXd::Zero(layout.size()), .layout = layout};
+    result.dynamic.emplace();
+    result.dynamic->final_state = Eigen::VectorXd::Zero(layout.size());
+    result.dynamic->layout = layout;
     Record record = record_of(result);
     const std::string names = record.entry(study::kFinalState).meaning;
     EXPECT_EQ(std::count(names.begin(), names.end(), '['), layout.size());

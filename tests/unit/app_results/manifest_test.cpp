@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/results/result_row.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::manifest_test {
@@ -20,9 +19,9 @@ ManifestHeader header_with_all() {
 }
 
 std::string line_of(const ManifestHeader& header, std::size_t point) {
-  const ResultRow row =
-      result_row(fake_sweep::fake_result(point), std::vector<double>(header.axes.size(), 0.1));
-  return entry_line(table_head(header.axes), point, {point_file_name(point), "0123456789abcdef", row});
+  const SweepRow row =
+      sweep_row(fake_sweep::fake_result(point), header, std::vector<double>(header.axes.size(), 0.1));
+  return entry_line(header, point, {point_file_name(point), "0123456789abcdef", row});
 }
 
 std::string message_of(const std::string& text) {
@@ -42,7 +41,7 @@ TEST(Manifest, GivesBackHeaderAndRows) {
   EXPECT_EQ(header_line(*manifest.header), header_line(header));
   EXPECT_EQ(manifest.sound_bytes, text.size());
   ASSERT_EQ(manifest.entries.size(), 2U);
-  EXPECT_EQ(entry_line(table_head(header.axes), 4, manifest.entries.at(4)), line_of(header, 4));
+  EXPECT_EQ(entry_line(header, 4, manifest.entries.at(4)), line_of(header, 4));
 }
 
 TEST(Manifest, CutAnywhereKeepsTheCompleteLines) {
@@ -102,8 +101,9 @@ TEST(Manifest, PointOfAnotherShardOrFileOutsideIsRefused) {
   const std::string sound = line_of(header, 1);
   EXPECT_THAT(message_of(header_line(header) + line_of(header, 2) + sound), HasSubstr(":2:1: "));
   // Its check sum is right, its file outside of the folder.
-  const ResultRow row = result_row(fake_sweep::fake_result(1), std::vector<double>(header.axes.size(), 0.1));
-  const std::string outside = entry_line(table_head(header.axes), 1, {"../../00001.nc", "0123456789abcdef", row});
+  const SweepRow row =
+      sweep_row(fake_sweep::fake_result(1), header, std::vector<double>(header.axes.size(), 0.1));
+  const std::string outside = entry_line(header, 1, {"../../00001.nc", "0123456789abcdef", row});
   EXPECT_THAT(message_of(header_line(header) + outside + sound), HasSubstr(":2:1: "));
 }
 

@@ -111,7 +111,8 @@ TEST(PointFile, EveryVariableStatesItsUnitAndMeaning) {
   int count = 0;
   nc_inq_nvars(file.number(), &count);
   const std::size_t texts = 2;  // status and refined
-  ASSERT_EQ(static_cast<std::size_t>(count), table_head({}).names.size() - texts + 3);
+  ASSERT_EQ(static_cast<std::size_t>(count),
+            record_of(ManifestHeader{}, SweepRow{}).entries().size() - texts + 3);
   for (int variable = 0; variable < count; ++variable) {
     EXPECT_FALSE(file.attribute(variable, "units").empty());
     EXPECT_FALSE(file.attribute(variable, "long_name").empty());

@@ -10,7 +10,6 @@
 
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
-#include "app/results/result_row.hpp"
 #include "app/results/sweep_run.hpp"
 #include "tests/full.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
@@ -45,15 +44,15 @@ SweepPoint point_at(double rpm) {
 
 // Each round adds three points above the best so far, nearer to it than the last: any change of its rows
 // changes the requested points.
-std::vector<SweepPoint> next_round(const TableHead& head, const std::vector<ResultRow>& rows) {
+std::vector<SweepPoint> next_round(const std::vector<SweepRow>& rows) {
   const std::size_t round = (rows.size() - grid_points) / 3;
   if (round == rounds) return {};
   double best = 0.0, longest = 0.0;
-  for (const ResultRow& row : rows) {
-    const double life = value_of(head, row, "life_h");
+  for (const SweepRow& row : rows) {
+    const double life = row.point.life_hours;
     if (!(life > longest)) continue;
     longest = life;
-    best = value_of(head, row, "input_speed_rpm");
+    best = speed_in_rpm(row.point.input_speed);
   }
   std::vector<SweepPoint> points;
   for (const double step : {300.0, -100.0, 160.0})
@@ -97,8 +96,8 @@ TEST(RefinedSweep, TableRisesInSpeedAndSaysWhichPointsWereAdded) {
   ASSERT_EQ(outcome.rows.size(), grid_points + 3 * rounds);
   double last = 0.0;
   std::size_t added = 0;
-  for (const ResultRow& row : outcome.rows) {
-    const double rpm = value_of(outcome.head, row, "input_speed_rpm");
+  for (const SweepRow& row : outcome.rows) {
+    const double rpm = speed_in_rpm(row.point.input_speed);
     EXPECT_GT(rpm, last);
     last = rpm;
     EXPECT_EQ(row.refined, std::fmod(rpm, 1000.0) != 0.0) << rpm;
@@ -106,14 +105,14 @@ TEST(RefinedSweep, TableRisesInSpeedAndSaysWhichPointsWereAdded) {
   }
   EXPECT_EQ(added, 3 * rounds);
   EXPECT_THAT(read_file(location / "d/sweep.csv"), HasSubstr(",true"));
-  EXPECT_EQ(row_json(outcome.head, outcome.rows.front())["refined"], false);
+  EXPECT_EQ(row_json(outcome.header, outcome.rows.front())["refined"], false);
   EXPECT_EQ(point_files(location / "d").size(), grid_points + 3 * rounds);
 }
 
 TEST(RefinedSweep, GridsPeakIsOfTheGridAlone) {
   const TemporaryFolder location;
   const SweepOutcome outcome = run_sweep(refined_request(location / "d"));
-  EXPECT_EQ(grid_peak(outcome.head, outcome.rows).speed_rpm, 5000.0);
+  EXPECT_EQ(grid_peak(outcome.header, outcome.rows).speed_rpm, 5000.0);
 }
 
 TEST(RefinedSweep, ThreadsChangeNoByte) {
@@ -188,7 +187,7 @@ std::vector<fs::path> shards_of(const TemporaryFolder& location, std::size_t cou
     SweepRequest request =
         refined_request(location / ("s" + std::to_string(count) + "_" + std::to_string(index)));
     request.header.shard = Shard{index, count};
-    for (const ResultRow& row : run_sweep(request).rows) EXPECT_FALSE(row.refined);
+    for (const SweepRow& row : run_sweep(request).rows) EXPECT_FALSE(row.refined);
     shards.push_back(request.folder);
   }
   return shards;
@@ -241,14 +240,12 @@ TEST(RefinedSweep, AnotherSearchThanTheFoldersIsRefused) {
   run_sweep(refined_request(location / "d"));
   SweepRequest request = refined_request(location / "d");
   request.resume = true;
-  request.refinement->next = [](const TableHead&, const std::vector<ResultRow>&) {
+  request.refinement->next = [](const std::vector<SweepRow>&) {
     return std::vector<SweepPoint>{point_at(4444.0)};
   };
   EXPECT_THAT(refusal_of(request),
               HasSubstr("point 12, which refines the sweep, was found at another speed"));
-  request.refinement->next = [](const TableHead&, const std::vector<ResultRow>&) {
-    return std::vector<SweepPoint>{};
-  };
+  request.refinement->next = [](const std::vector<SweepRow>&) { return std::vector<SweepPoint>{}; };
   EXPECT_THAT(refusal_of(request), HasSubstr("point 12"));
 }
 
@@ -261,7 +258,7 @@ TEST(RefinedSweep, PointsStandOnTheLineOfTheirOtherAxes) {
     request.points[i].axis_values = {i % 2 == 0 ? 10.0 : 20.0};
   }
   request.evaluate = [points = request.points](std::size_t i) { return result_at(points[i].input_speed); };
-  request.refinement->next = [](const TableHead&, const std::vector<ResultRow>& rows) {
+  request.refinement->next = [](const std::vector<SweepRow>& rows) {
     std::vector<SweepPoint> points;
     for (const double rpm : {4400.0, 4200.0}) {
       points.push_back(point_at(rpm));
@@ -271,9 +268,8 @@ TEST(RefinedSweep, PointsStandOnTheLineOfTheirOtherAxes) {
   };
   const SweepOutcome outcome = run_sweep(request);
   std::vector<std::pair<double, double>> order;
-  for (const ResultRow& row : outcome.rows)
-    order.emplace_back(value_of(outcome.head, row, "input_speed_rpm"),
-                       value_of(outcome.head, row, "bearing.radial_clearance_um"));
+  for (const SweepRow& row : outcome.rows)
+    order.emplace_back(speed_in_rpm(row.point.input_speed), row.axes.at(0));
   EXPECT_EQ(order.size(), grid_points + 2);
   EXPECT_EQ(order[7], std::make_pair(4000.0, 20.0));
   EXPECT_EQ(order[8], std::make_pair(4200.0, 20.0));
@@ -290,15 +286,15 @@ TEST(NamedResonance, StandsInRowJsonManifestAndFile) {
     return Resonance{"planet", "P1", 5093.5, 2, 6063.0 / rpm_of_rad_s};
   };
   const SweepOutcome outcome = run_sweep(request);
-  const nlohmann::ordered_json first = row_json(outcome.head, outcome.rows.front());
+  const nlohmann::ordered_json first = row_json(outcome.header, outcome.rows.front());
   EXPECT_EQ(first["resonance_kind"], "planet");
   EXPECT_EQ(first["resonance_mode"], "P1");
   EXPECT_EQ(first["resonance_frequency_Hz"], 5093.5);
   EXPECT_EQ(first["resonance_harmonic"], 2.0);
   EXPECT_EQ(first["resonance_speed_rpm"], 6063.0);
-  EXPECT_TRUE(row_json(outcome.head, outcome.rows.back())["resonance_speed_rpm"].is_null());
+  EXPECT_TRUE(row_json(outcome.header, outcome.rows.back())["resonance_speed_rpm"].is_null());
   request.resume = true;
-  EXPECT_EQ(run_sweep(request).rows.front().resonance_mode, "P1");
+  EXPECT_EQ(run_sweep(request).rows.front().resonance->mode, "P1");
 }
 
 }  // namespace

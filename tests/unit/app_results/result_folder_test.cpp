@@ -36,7 +36,7 @@ void expect_untouched(const fs::path& folder, const ManifestHeader& header, Open
 }
 
 FinishedPoint finished(std::size_t point) {
-  return {point, "content", result_row(fake_sweep::fake_result(point), {})};
+  return {point, "content", sweep_row(fake_sweep::fake_result(point), {})};
 }
 
 /// A folder with points 0 and 1 of 5.
@@ -187,7 +187,7 @@ TEST(ResultFolder, ChangedRowIsMissingReportedAndTakenAway) {
   const ResultFolder again(path, fake_header(5), resolved, OpenMode::resume);
   EXPECT_TRUE(again.damaged().empty());
   EXPECT_TRUE(again.finished().contains(0));
-  EXPECT_EQ(again.finished().at(0).row.values.front(), finished(0).row.values.front());
+  EXPECT_EQ(again.finished().at(0).row.point.input_speed, finished(0).row.point.input_speed);
 }
 
 /// Further files of a result have check sums too.

@@ -35,7 +35,7 @@ SpectrumResult result_of(const std::vector<Lived>& lived) {
     result.inner.life = 1e6 * one.inner;
     result.outer.life = 3e6 * one.inner;
     result.status = one.status;
-    entries[point++].row = result_row(result, {});
+    entries[point++].row = sweep_row(result, header);
   }
   const std::vector<SpectrumResult> results = spectrum_results(header, entries);
   return results.empty() ? SpectrumResult{} : results.front();
@@ -95,7 +95,7 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
     result.life_hours = hours;
     result.rating.lives.dynamic_capacity = 1e5;
     result.rating.lives.dynamic_load = load;
-    entries[point].row = result_row(result, {});
+    entries[point].row = sweep_row(result, header);
   };
   put(0, 1000.0, 2001.0);
   put(1, 4000.0, 1999.0);
@@ -131,8 +131,14 @@ TEST(SpectrumLife, IsJudgedByTheWorstBearing) {
   uneven.unlike.shortest_hours = 500.0;
   alike.life_hours = 5000.0;
   std::map<std::size_t, ManifestEntry> entries;
-  entries[0].row = result_row({.life_hours = 1000.0, .sets = {even, uneven}}, {}, header.sets);
-  entries[1].row = result_row({.life_hours = 1200.0, .sets = {even, alike}}, {}, header.sets);
+  const auto row_of = [&](double hours, const std::vector<study::SetResult>& sets) {
+    study::PointResult result;
+    result.life_hours = hours;
+    result.sets = sets;
+    return sweep_row(result, header);
+  };
+  entries[0].row = row_of(1000.0, {even, uneven});
+  entries[1].row = row_of(1200.0, {even, alike});
   const SpectrumResult found = spectrum_results(header, entries).front();
   const double life = 1.0 / (0.5 / 500.0 + 0.5 / 5000.0);
   EXPECT_EQ(found.worst.column(), "sets.uneven.shortest_life_h");
@@ -148,7 +154,7 @@ TEST(SpectrumLife, NeedsAllPointsAsAShardHasNot) {
   ManifestHeader header = fake_sweep::fake_header(2);
   header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {4e4, 200.0, 0.5}}, .lines = 1};
   std::map<std::size_t, ManifestEntry> entries;
-  entries[0].row = result_row(fake_sweep::fake_result(0), {});
+  entries[0].row = sweep_row(fake_sweep::fake_result(0), header);
   EXPECT_TRUE(spectrum_results(header, entries).empty());
 }
 
@@ -165,7 +171,8 @@ TEST(SpectrumLife, OfASweepStandsBesideItsTable) {
   const SweepOutcome whole = run_sweep(request_of("whole", {}));
   EXPECT_EQ(whole.rows.size(), 4U);
   ASSERT_EQ(whole.spectra.size(), 1U);
-  EXPECT_EQ(whole.spectra[0].bins[2].row->values.front(), speed_in_rpm(fake_sweep::input_speed_of(5)));
+  EXPECT_EQ(speed_in_rpm(whole.spectra[0].bins[2].row->point.input_speed),
+            speed_in_rpm(fake_sweep::input_speed_of(5)));
   run_sweep(request_of("one", Shard{1, 2}));
   EXPECT_FALSE(std::filesystem::exists(location / "one" / "spectrum.csv"));
   run_sweep(request_of("two", Shard{2, 2}));

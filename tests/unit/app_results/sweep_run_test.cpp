@@ -158,7 +158,7 @@ TEST(Sweep, AxesStandInTableAndManifest) {
   request.header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
   for (SweepPoint& point : request.points) point.axis_values = {0.1};
   const SweepOutcome outcome = run_sweep(request);
-  EXPECT_EQ(value_of(outcome.head, outcome.rows[2], "bearing.radial_clearance_um"), 0.1);
+  EXPECT_EQ(outcome.rows[2].axes.at(0), 0.1);
   EXPECT_EQ(read_results(location / "d").header->axes.front().units, "um");
 }
 
@@ -166,7 +166,7 @@ TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
   const TemporaryFolder location;
   const SweepOutcome outcome = run_sweep(fake_request(location / "d", 10));
   const nlohmann::ordered_json object =
-      sweep_json(outcome, grid_peak(outcome.head, outcome.rows), nlohmann::ordered_json::array(),
+      sweep_json(outcome, grid_peak(outcome.header, outcome.rows), nlohmann::ordered_json::array(),
                  nlohmann::ordered_json::array({"a warning"}), {{"orbearing", "0.1.0"}});
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
@@ -180,12 +180,12 @@ TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
 }
 
 TEST(GridPeak, IsTheLongestLifeAndNothingWithoutLives) {
-  const TableHead head{{"input_speed_rpm", "life_h", "status"}, 2};
+  const auto lived = [](double rpm, double hours) {
+    return row_of_numbers({{"input_speed_rpm", rpm}, {"life_h", hours}}, {});
+  };
   const double none = std::nan("");
-  EXPECT_EQ(grid_peak(head, {{{1.0, none, none}, "x"}, {{2.0, 5.0, none}, "ok"}, {{3.0, 4.0, none}, "ok"}})
-                .speed_rpm,
-            2.0);
-  EXPECT_TRUE(std::isnan(grid_peak(head, {{{1.0, none, none}, "x"}}).life_h));
+  EXPECT_EQ(grid_peak({}, {lived(1.0, none), lived(2.0, 5.0), lived(3.0, 4.0)}).speed_rpm, 2.0);
+  EXPECT_TRUE(std::isnan(grid_peak({}, {lived(1.0, none)}).life_h));
 }
 
 }  // namespace

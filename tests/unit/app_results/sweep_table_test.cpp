@@ -17,37 +17,35 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::vector<ResultRow> fake_rows(std::size_t count) {
-  std::vector<ResultRow> rows;
+std::vector<SweepRow> fake_rows(std::size_t count) {
+  std::vector<SweepRow> rows;
   for (std::size_t i = 0; i < count; ++i) {
     study::PointResult result = fake_sweep::fake_result(i == fake_sweep::failing_point ? 0 : i);
     result.input_speed = fake_sweep::input_speed_of(i);
     if (i == fake_sweep::failing_point) result.status = "no balance";
-    rows.push_back(result_row(result, {}));
+    rows.push_back(sweep_row(result, {}));
   }
   return rows;
 }
 
 TEST(PeakText, TellsThePeakAndWhichPointsHaveNoLife) {
-  const std::vector<ResultRow> rows = fake_rows(60);
-  const TableHead head = table_head({});
-  LifePeak peak = grid_peak(head, rows);
+  const std::vector<SweepRow> rows = fake_rows(60);
+  LifePeak peak = grid_peak({}, rows);
   peak.refined_life_h = 50000.0;
   peak.refined_speed_rpm = 1050.4;
-  EXPECT_EQ(peak_text(head, rows, peak),
+  EXPECT_EQ(peak_text({}, rows, peak),
             "1 of 60 points have no life\nlongest life: 50000 h at 1050.4 rpm; of the grid's points " +
                 fmt::format("{:.5g} h at {:g} rpm\n", peak.life_h, peak.speed_rpm));
 }
 
 TEST(PeakText, OnePointOrNoneIsReportedInWords) {
-  const TableHead head = table_head({});
-  EXPECT_THAT(peak_text(head, fake_rows(1), grid_peak(head, fake_rows(1))),
+  EXPECT_THAT(peak_text({}, fake_rows(1), grid_peak({}, fake_rows(1))),
               ::testing::StartsWith("longest life: "));
-  EXPECT_EQ(peak_text(head, {}, {}), "longest life: no point has one\n");
+  EXPECT_EQ(peak_text({}, {}, {}), "longest life: no point has one\n");
 }
 
 TEST(SweepTable, ShowsUnitsAndTheReasonOfAFailure) {
-  const std::string table = sweep_table(table_head({}), fake_rows(12));
+  const std::string table = sweep_table({}, fake_rows(12));
   EXPECT_THAT(table, HasSubstr("planet load"));
   EXPECT_THAT(table, HasSubstr("[Mrev]"));
   EXPECT_THAT(table, HasSubstr("no balance"));
@@ -55,23 +53,23 @@ TEST(SweepTable, ShowsUnitsAndTheReasonOfAFailure) {
 }
 
 TEST(SweepTable, AddedPointsAreMarkedAndOfManyThePeakIsShown) {
-  const TableHead head = table_head({}, {}, true);
-  std::vector<ResultRow> rows = fake_rows(60);
+  const ManifestHeader header{.resonances = true};
+  std::vector<SweepRow> rows = fake_rows(60);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].refined = i % 5 != 0;
-    add_resonance(Resonance{"planet", "P1", 5093.5, 2, 635.0}, rows[i]);
+    rows[i].resonance = Resonance{"planet", "P1", 5093.5, 2, 635.0};
   }
-  const std::string few = sweep_table(head, {rows.begin(), rows.begin() + 7});
+  const std::string few = sweep_table(header, {rows.begin(), rows.begin() + 7});
   EXPECT_THAT(few, HasSubstr("added"));
   EXPECT_THAT(few, HasSubstr("2 x P1 at 6064 rpm"));
-  const std::string many = sweep_table(head, rows);
+  const std::string many = sweep_table(header, rows);
   EXPECT_THAT(many,
               HasSubstr("47 points added around the peak are not shown; all of them stand in sweep.csv"));
   EXPECT_EQ(std::count(many.begin(), many.end(), '\n'), 12 + 1 + 3) << many;
 }
 
 TEST(SweepTable, LongSweepIsThinnedAndSaysSo) {
-  const std::string table = sweep_table(table_head({}), fake_rows(481));
+  const std::string table = sweep_table({}, fake_rows(481));
   EXPECT_LE(std::count(table.begin(), table.end(), '\n'), 51);
   EXPECT_THAT(table, HasSubstr("one row in 11 of 481"));
 }

@@ -26,7 +26,7 @@ Branch branch(const std::string& folder, std::optional<Direction> direction) {
   Manifest manifest;
   manifest.header = {"reducer", "0123456789abcdef", "0.1.0", "x86-64", "dynamic",
                      1,         std::nullopt,       {},      {},       direction};
-  manifest.entries[0].row = {std::vector<double>(table_head({}).names.size(), 2.5), "ok"};
+  manifest.entries[0].row = row_of_numbers({{"outer_load_rms_N", 2.5}}, *manifest.header);
   return {folder, manifest};
 }
 

@@ -122,7 +122,8 @@ Manifest manifest_of(const ResolvedCase& resolved, const std::vector<std::size_t
   const SweepRequest request = sweep_request(resolved, "quasi-static");
   Manifest manifest{.header = request.header};
   for (const std::size_t point : points)
-    manifest.entries[point] = {point_file_name(point), "", result_row(request.evaluate(point), {})};
+    manifest.entries[point] = {point_file_name(point), "",
+                               sweep_row(request.evaluate(point), request.header)};
   return manifest;
 }
 

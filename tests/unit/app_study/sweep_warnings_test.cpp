@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <map>
 
 #include "tests/messages.hpp"
@@ -18,19 +17,14 @@ SweepOutcome outcome_of(const std::string& name, const std::vector<double>& valu
   SweepOutcome outcome;
   outcome.header.fidelity = "dynamic";
   outcome.header.points = values.size();
-  outcome.head = head_of(outcome.header);
-  const auto position = [&](const std::string& column) {
-    const auto found = std::find(outcome.head.names.begin(), outcome.head.names.end(), column);
-    EXPECT_NE(found, outcome.head.names.end()) << column;
-    return static_cast<std::size_t>(found - outcome.head.names.begin());
-  };
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ResultRow row{std::vector<double>(outcome.head.names.size(), std::numeric_limits<double>::quiet_NaN()),
-                  "ok"};
-    row.values[position("input_speed_rpm")] = 1000.0 * static_cast<double>(i + 1);
-    row.values[position(name)] = values[i];
-    for (const auto& [column, value] : beside) row.values[position(column)] = value;
-    outcome.rows.push_back(row);
+    std::vector<std::pair<std::string, double>> row{
+        {"input_speed_rpm", 1000.0 * static_cast<double>(i + 1)}, {"steady", 1.0}, {name, values[i]}};
+    row.insert(row.end(), beside.begin(), beside.end());
+    outcome.rows.push_back(row_of_numbers(row, outcome.header));
+    for (const auto& [column, value] : row)
+      EXPECT_EQ(number_named(outcome.header, outcome.rows.back(), column),
+                column == name ? values[i] : value);
   }
   return outcome;
 }

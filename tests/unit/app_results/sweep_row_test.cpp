@@ -1,4 +1,4 @@
-#include "app/results/result_row.hpp"
+#include "app/results/sweep_row.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app::result_row_test {
+namespace orbearing::app::sweep_row_test {
 namespace {
 
 // The contract that scripts rely on, to the letter.
@@ -135,26 +135,32 @@ std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
+std::vector<std::string> names_of(const ManifestHeader& header) {
+  const Record record = record_of(header, row_of_numbers({}, header));
+  return described::each(record.entries(), &described::Entry::name);
+}
+
+// What follows the status of a failed point: empty cells, and that it was not added.
 std::string cells_after_status() {
-  const TableHead head = table_head({});
-  return std::string(head.names.size() - 1 - head.status_location, ',') + "false";
+  const auto status = std::ranges::find(promised, "status");
+  return std::string(static_cast<std::size_t>(promised.end() - status) - 1, ',') + "false";
 }
 
-TEST(ResultRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
-  EXPECT_EQ(table_head({}).names, promised);
-  const TableHead head = table_head({{"bearing.radial_clearance_um", "um", "clearance"}});
-  EXPECT_EQ(head.names.back(), "bearing.radial_clearance_um");
-  EXPECT_EQ(head.names.at(head.status_location), status_column);
+const ManifestHeader kWithAxis{.axes = {{"axis", "1", ""}}};
+
+TEST(SweepRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
+  EXPECT_EQ(names_of({}), promised);
+  EXPECT_EQ(names_of(kWithAxis).back(), "axis");
 }
 
-TEST(ResultRow, SpeedsInRpmAreThoseOfTheCaseFile) {
+TEST(SweepRow, SpeedsInRpmAreThoseOfTheCaseFile) {
   for (int step = 1; step <= 12000; ++step) {
     const double rpm = step;
     EXPECT_EQ(in_table_unit(rpm * std::numbers::pi / 30.0, 30.0 / std::numbers::pi), rpm);
   }
 }
 
-TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
+TEST(SweepRow, EveryNumberStandsUnderItsNameInItsUnit) {
   study::PointResult result;
   result.carrier_speed = 2.0 * std::numbers::pi / 60.0;
   result.planet_load = 2.0;
@@ -188,20 +194,21 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                              .modified_reference = {65e6, 66e6, 93e6}},
                    .hours = {94.0, 95.0, 96.0, 97.0},
                    .system_hours = {98.0, 99.0, 100.0, 101.0}};
-  result.dynamic = study::DynamicRecord{.steady = true,
-                                        .roller_slip = 18.0,
-                                        .orbit_slip = 75.0,
-                                        .friction_moment = 19.0,
-                                        .vibration_power = 78.0,
-                                        .loss = {.race_damping = 1.0,
-                                                 .inner_traction = 2.0,
-                                                 .outer_traction = 4.0,
-                                                 .rolling = 8.0,
-                                                 .drag = 16.0,
-                                                 .pockets = 32.0,
-                                                 .neighbours = 256.0,
-                                                 .guidance = 64.0,
-                                                 .support = 128.0}};
+  study::DynamicRecord& motion = result.dynamic.emplace();
+  motion.steady = true;
+  motion.roller_slip = 18.0;
+  motion.orbit_slip = 75.0;
+  motion.friction_moment = 19.0;
+  motion.vibration_power = 78.0;
+  motion.loss = {.race_damping = 1.0,
+                 .inner_traction = 2.0,
+                 .outer_traction = 4.0,
+                 .rolling = 8.0,
+                 .drag = 16.0,
+                 .pockets = 32.0,
+                 .neighbours = 256.0,
+                 .guidance = 64.0,
+                 .support = 128.0};
   result.dynamic->drag_over_traction = 77.0;
   result.dynamic->drag_slip = 76.0;
   result.dynamic->one_way_load_difference = 43.5;
@@ -218,75 +225,73 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.seats = {
       {.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0, .rated_hours = {114.0, 117.0, 116.0, 115.0}},
       {.load = 50.0, .life_hours = 71.0, .rated_hours = {118.0, 113.0, 119.0, 120.0}}};
-  const TableHead head = table_head({{"axis", "1", ""}});
   // Values that only a cage has, or only rollers without one, are absent otherwise.
   for (const bool caged : {true, false}) {
     result.caged = caged;
-    const ResultRow row = result_row(result, {17.0});
+    const auto numbers = named_numbers(kWithAxis, sweep_row(result, kWithAxis, {17.0}));
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,         1,         2,         3,          4,         6,         7,         10,        11,
-        8,         12,        14,        15,         slip,      9,         13,        -1,        5,
-        72,        73,        74,        20,         67,        68,        3.5,       102,       94,
-        95,        96,        97,        98,         99,        100,       101,       90,        91,
-        92,        93,        65,        66,         160,       243,       82,        80,        81,
-        2,         3,         60,        61,         62,        62.5,      40000,     18,        75,
-        77,        76,        19,        78,         511,       1,         2,         4,         8,
-        16,        pockets,   guidance,  neighbours, 128,       1,         21,        114,       113,
-        116,       115,       2,         1.5,        5,         1,         23,        24,        40,
-        1,         41,        42,        43,         43.5,      44,        45,        46,        47,
-        48,        49,        50,        51,         52,        53,        not_given, not_given, not_given,
-        not_given, not_given, not_given, not_given,  not_given, not_given, not_given, not_given, not_given,
-        not_given, -1,        17};
-    ASSERT_EQ(expected.size(), head.names.size());
+        0,         1,         2,          3,         4,         6,         7,         10,        11,
+        8,         12,        14,         15,        slip,      9,         13,        5,         72,
+        73,        74,        20,         67,        68,        3.5,       102,       94,        95,
+        96,        97,        98,         99,        100,       101,       90,        91,        92,
+        93,        65,        66,         160,       243,       82,        80,        81,        2,
+        3,         60,        61,         62,        62.5,      40000,     18,        75,        77,
+        76,        19,        78,         511,       1,         2,         4,         8,         16,
+        pockets,   guidance,  neighbours, 128,       1,         21,        114,       113,       116,
+        115,       2,         1.5,        5,         1,         23,        24,        40,        1,
+        41,        42,        43,         43.5,      44,        45,        46,        47,        48,
+        49,        50,        51,         52,        53,        not_given, not_given, not_given, not_given,
+        not_given, not_given, not_given,  not_given, not_given, not_given, not_given, not_given, not_given,
+        0,         17};
+    ASSERT_EQ(expected.size(), numbers.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
-      if (i != head.status_location && i != head.refined_location) {
-        EXPECT_TRUE(row.values.at(i) == expected[i] ||
-                    (std::isnan(row.values.at(i)) && std::isnan(expected[i])))
-            << head.names[i] << ": " << row.values.at(i);
-      }
+      EXPECT_TRUE(numbers[i].second == expected[i] ||
+                  (std::isnan(numbers[i].second) && std::isnan(expected[i])))
+          << numbers[i].first << ": " << numbers[i].second;
   }
 }
 
 // The governing life, which determines the peak, is one of the columns.
-TEST(ResultRow, TheLifeToGoByIsNamedByTheHead) {
+TEST(SweepRow, TheGoverningLifeIsNamedByTheHeader) {
   study::PointResult result = at_6000_rpm();
   result.rating.hours = {94.0, 95.0, 96.0, 97.0};
-  TableHead head = table_head({});
-  const ResultRow row = result_row(result, {});
-  EXPECT_EQ(governing_life_in(head, row), result.life_hours);
+  ManifestHeader header;
+  const SweepRow row = sweep_row(result, header);
+  EXPECT_EQ(governing_hours(header, row.point), result.life_hours);
   for (const auto& [name, life] :
        {std::pair{"L10h", 94.0}, {"L10rh", 95.0}, {"L10mh", 96.0}, {"L10mrh", 97.0}}) {
-    head.life = name;
-    EXPECT_EQ(governing_life_in(head, row), life) << name;
+    header.life = name;
+    EXPECT_EQ(governing_hours(header, row.point), life) << name;
+    EXPECT_EQ(number_named(header, row, name), life);
   }
 }
 
-TEST(ResultRow, QuasiStaticPointHasNoDynamicNumbers) {
-  const ResultRow row = result_row(at_6000_rpm(), {});
+TEST(SweepRow, QuasiStaticPointHasNoDynamicNumbers) {
+  const SweepRow row = sweep_row(at_6000_rpm(), {});
+  EXPECT_FALSE(row.point.motion);
   for (const char* name : {"roller_slip", "friction_moment_N_m", "power_loss_W", "steady"})
-    EXPECT_TRUE(std::isnan(value_of(table_head({}), row, name))) << name;
+    EXPECT_TRUE(std::isnan(number_named({}, row, name))) << name;
 }
 
-TEST(ResultRow, FailedPointKeepsSpeedAndAxesOnly) {
+TEST(SweepRow, FailedPointKeepsSpeedAndAxesOnly) {
   study::PointResult result = at_6000_rpm();
   result.status = "no balance\nfound \xff";
-  const ResultRow row = result_row(result, {37.0});
-  const TableHead head = table_head({{"axis", "1", ""}});
+  const SweepRow row = sweep_row(result, kWithAxis, {37.0});
   EXPECT_FALSE(row.ok());
-  EXPECT_EQ(value_of(head, row, "input_speed_rpm"), 6000.0);
-  EXPECT_EQ(value_of(head, row, "axis"), 37.0);
-  EXPECT_TRUE(std::isnan(value_of(head, row, "life_h")));
-  EXPECT_TRUE(std::isnan(value_of(head, row, "radial_mesh_load_N")));
-  EXPECT_EQ(row.status, "no balance found \xEF\xBF\xBD");  // the replacement character
+  EXPECT_EQ(number_named(kWithAxis, row, "input_speed_rpm"), 6000.0);
+  EXPECT_EQ(number_named(kWithAxis, row, "axis"), 37.0);
+  EXPECT_EQ(axis_value(kWithAxis, row, "axis"), 37.0);
+  EXPECT_TRUE(std::isnan(row.point.life_hours));
+  EXPECT_TRUE(std::isnan(row.point.radial_mesh_load));
+  EXPECT_EQ(row.point.status, "no balance found \xEF\xBF\xBD");  // the replacement character
 }
 
-TEST(ResultRow, InfiniteLifeIsNoNumber) {
+TEST(SweepRow, InfiniteLifeIsNoNumber) {
   study::PointResult result = at_6000_rpm();
   result.life_hours = std::numeric_limits<double>::infinity();
-  const TableHead head = table_head({});
-  EXPECT_TRUE(row_json(head, result_row(result, {}))["life_h"].is_null());
+  EXPECT_TRUE(row_json({}, sweep_row(result, {}))["life_h"].is_null());
 }
 
 study::PointResult of_two_sets() {
@@ -297,70 +302,96 @@ study::PointResult of_two_sets() {
   return result;
 }
 
-TEST(ResultRow, OfSeveralSetsEndsWithTheLimitingOneAndEach) {
-  const std::vector<std::string> sets{"first", "second"};
-  const TableHead head = table_head({{"axis", "1", ""}}, sets);
-  const ResultRow row = result_row(of_two_sets(), {17.0}, sets);
-  ASSERT_EQ(row.values.size(), head.names.size());
-  EXPECT_EQ(head.names.at(head.first_axis), "axis");
-  EXPECT_EQ(head.names.at(head.first_axis + 1), "limiting_set");
-  EXPECT_EQ(value_of(head, row, "axis"), 17.0);
-  EXPECT_EQ(value_of(head, row, "sets.first.planet_load_N"), 100.0);
-  EXPECT_EQ(value_of(head, row, "sets.second.life_h"), 300.0);
-  EXPECT_EQ(row_json(head, row)["limiting_set"], "second");
-  EXPECT_NE(csv_line(head, row).find(",17,second,0,100,"), std::string::npos) << csv_line(head, row);
-  const ResultRow again = row_from_json(head, row_json(head, row));
-  EXPECT_EQ(csv_line(head, again), csv_line(head, row));
+TEST(SweepRow, OfSeveralSetsEndsWithTheLimitingOneAndEach) {
+  ManifestHeader header = kWithAxis;
+  header.sets = {"first", "second"};
+  const SweepRow row = sweep_row(of_two_sets(), header, {17.0});
+  const std::vector<std::string> names = names_of(header);
+  EXPECT_EQ(names.at(promised.size()), "axis");
+  EXPECT_EQ(names.at(promised.size() + 1), "limiting_set");
+  EXPECT_EQ(number_named(header, row, "sets.first.planet_load_N"), 100.0);
+  EXPECT_EQ(number_named(header, row, "sets.second.life_h"), 300.0);
+  EXPECT_EQ(row_json(header, row)["limiting_set"], "second");
+  EXPECT_NE(csv_line(header, row).find(",17,second,0,100,"), std::string::npos) << csv_line(header, row);
+  const SweepRow again = row_from_json(header, row_json(header, row));
+  EXPECT_EQ(csv_line(header, again), csv_line(header, row));
 }
 
-TEST(ResultRow, OfAFailedPointOfSeveralSetsHasNoneOfThem) {
-  const std::vector<std::string> sets{"first", "second"};
+TEST(SweepRow, OfAFailedPointOfSeveralSetsHasNoneOfThem) {
+  const ManifestHeader header{.sets = {"first", "second"}};
   study::PointResult result = of_two_sets();
   result.status = "second: no balance";
-  const ResultRow row = result_row(result, {}, sets);
-  const TableHead head = table_head({}, sets);
-  ASSERT_EQ(row.values.size(), head.names.size());
-  EXPECT_EQ(row_json(head, row)["limiting_set"], "");
-  EXPECT_TRUE(std::isnan(value_of(head, row, "sets.first.life_h")));
+  const SweepRow row = sweep_row(result, header);
+  EXPECT_EQ(row_json(header, row)["limiting_set"], "");
+  EXPECT_TRUE(std::isnan(row.point.sets.at(0).life_hours));
+  EXPECT_TRUE(row_json(header, row)["sets.second.life_h"].is_null());
+}
+
+TEST(SweepRow, OfNumbersHasThoseAlone) {
+  const SweepRow row = row_of_numbers({{"inner_load_max_N", 12.0}, {"resonance", 1.0}}, {});
+  EXPECT_EQ(row.point.inner.load_max, 12.0);
+  EXPECT_TRUE(std::isnan(row.point.outer.load_max));
+  EXPECT_EQ(row.point.status, "ok");
 }
 
 TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
   study::PointResult result = at_6000_rpm();
   result.status = "no \"balance\", found";
-  EXPECT_EQ(csv_line(table_head({}), result_row(result, {})),
+  EXPECT_EQ(csv_line({}, sweep_row(result, {})),
             "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\"" + cells_after_status() + "\n");
-  EXPECT_EQ(csv_head({{"a", "status"}, 1}), "a,status\n");
 }
 
 TEST(RowText, CsvGivesBackEveryBitInTheFewestDigits) {
-  const TableHead head{{"third", "tenth", "status"}, 2};
-  const std::string line = csv_line(head, {{1.0 / 3.0, 0.1, std::nan("")}, "ok"});
-  EXPECT_EQ(line, "0.3333333333333333,0.1,ok\n");
-  EXPECT_EQ(bits_of(std::stod(line)), bits_of(1.0 / 3.0));
+  Record record;
+  record.value("third", described::dimension::ratio, "", 1.0 / 3.0);
+  record.value("tenth", described::dimension::force, "", 0.1);
+  record.value("none", described::dimension::force, "", described::kAbsent);
+  record.value("status", "", std::string("ok"));
+  record.value("refined", "", true);
+  EXPECT_EQ(csv_names(record), "third,tenth,none,status,refined\n");
+  EXPECT_EQ(csv_values(record), "0.3333333333333333,0.1,,ok,true\n");
+  EXPECT_EQ(bits_of(std::stod(csv_values(record))), bits_of(1.0 / 3.0));
 }
 
+// A row from a file is the row that was computed, to the last bit: each number of a member in SI, as a value
+// in the unit of its column.
 TEST(RowText, JsonGivesBackEveryBit) {
-  const TableHead head = table_head({});
+  ManifestHeader header = kWithAxis;
+  header.sets = {"first"};
+  header.resonances = true;
   std::uint64_t bits = 1;
-  for (int i = 0; i < 2000; ++i) {
-    ResultRow row{{}, "ok"};
-    for (std::size_t location = 0; location < head.names.size(); ++location) {
-      bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
-      const auto value = std::bit_cast<double>(bits);
-      row.values.push_back(std::isfinite(value) && location != head.status_location &&
-                                   location != head.refined_location
-                               ? value
-                               : std::nan(""));
+  const auto random = [&bits] {  // 1e-9 to 1e9
+    bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
+    return std::pow(10.0, 18.0 * static_cast<double>(bits >> 11) / 9007199254740992.0 - 9.0);
+  };
+  for (int i = 0; i < 300; ++i) {
+    study::PointResult result;
+    result.sets.resize(1);
+    result.dynamic.emplace().one_way.emplace();
+    result.coupled.emplace().bearing_life_hours = {1.0};
+    result.planets.resize(2);
+    Resonance resonance{"planet", "P1", random(), 2, random(), random()};
+    SweepRow whole = sweep_row(result, header, {random()}, resonance);
+    described::Columns fill([&](std::string_view, const described::Dimension& dimension, double& value) {
+      value = in_customary_unit(dimension, random()) * dimension.factor;
+    });
+    list(fill, whole.point);
+    list(fill, whole.point.sets.front());
+    const std::string text = row_json(header, whole).dump();
+    const SweepRow again = row_from_json(header, nlohmann::ordered_json::parse(text));
+    EXPECT_EQ(row_json(header, again).dump(), text);
+    EXPECT_EQ(csv_line(header, again), csv_line(header, whole));
+    std::vector<std::uint64_t> before, after;
+    SweepRow one = whole, other = again;
+    for (const auto& [row, all] : {std::pair{&one, &before}, std::pair{&other, &after}}) {
+      described::Columns take([to = all](std::string_view, const described::Dimension&, double& value) {
+        to->push_back(bits_of(value));
+      });
+      list(take, header, *row);
     }
-    const std::string text = row_json(head, row).dump();
-    const ResultRow again = row_from_json(head, nlohmann::ordered_json::parse(text));
-    EXPECT_EQ(csv_line(head, again), csv_line(head, row));
-    for (std::size_t location = 0; location < row.values.size(); ++location)
-      if (std::isfinite(row.values[location])) {
-        EXPECT_EQ(bits_of(again.values[location]), bits_of(row.values[location]));
-      }
+    EXPECT_EQ(before, after);
   }
 }
 
 }  // namespace
-}  // namespace orbearing::app::result_row_test
+}  // namespace orbearing::app::sweep_row_test
