@@ -195,8 +195,8 @@ inline double slenderness(const Bearing& bearing) {
 inline auto laminae_row(int& laminae) {
   using namespace described;
   return field(laminae, "bearing.laminae", Physics::life,
-            "number of laminae of each contact, for profile and misalignment",
-            {.models = with_rollers, .range = {1, 200}, .numerical = true});
+               "number of laminae of each contact, for profile and misalignment",
+               {.models = with_rollers, .range = {1, 200}, .numerical = true});
 }
 
 template <class Visitor>
@@ -269,12 +269,12 @@ inline constexpr unsigned any_bearing =
 inline auto pitch_diameter_row(double& pitch_diameter) {
   using namespace described;
   return field(pitch_diameter, "bearing.pitch_diameter", Physics::balance,
-            "diameter of the circle of centres of rollers or balls",
-            {.models = any_bearing,
-             .required_by = any_bearing,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .fmu = InFmu::parameter});
+               "diameter of the circle of centres of rollers or balls",
+               {.models = any_bearing,
+                .required_by = any_bearing,
+                .dimension = dimension::length,
+                .range = positive(1e4),
+                .fmu = InFmu::parameter});
 }
 
 template <class Visitor>

@@ -126,10 +126,10 @@ enum class Physics {
   life,       // effect of the rollers' loads on life
   run,        // means over time
   run_up,     // speeds that grow
-  single_bearing,      // a single bearing under a load of its own
-  defect,              // a bearing with scratches in motion
-  exchange,            // windows of a co-simulation
-  carrier_body         // the carrier in three dimensions, held by its own bearings
+  single_bearing,  // a single bearing under a load of its own
+  defect,          // a bearing with scratches in motion
+  exchange,        // windows of a co-simulation
+  carrier_body     // the carrier in three dimensions, held by its own bearings
 };
 
 /// How an FMU exposes a member.

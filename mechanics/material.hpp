@@ -49,11 +49,11 @@ inline auto poisson_ratio_row(double& member) {
 inline auto density_row(double& member) {
   using namespace described;
   return field(member, "material.density", Physics::carrier, "density of gears, rings and rollers",
-                {.models = of_material,
-                 .dimension = dimension::density,
-                 .range = {100.0, 25000.0},
-                 .reason = steel,
-                 .fmu = InFmu::parameter});
+               {.models = of_material,
+                .dimension = dimension::density,
+                .range = {100.0, 25000.0},
+                .reason = steel,
+                .fmu = InFmu::parameter});
 }
 
 template <class Visitor>

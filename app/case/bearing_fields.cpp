@@ -33,8 +33,7 @@ ProfileUses profile_of_planets() {
                        {where_given({"bearing.laminae"})});
   };
   const Use of_any(of_laminae, gears_alone);
-  return {.kind =
-              of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
+  return {.kind = of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
           .shape = with_laminae(of_any),
           .depth = with_laminae(Use(but_crown, use::crown | gears_alone)),  // crown varies it
           .table = with_laminae(Use(but_crown, gears_alone)),
@@ -57,8 +56,7 @@ void add_profile_fields(std::vector<Field>& fields, unsigned models, const Profi
   drop_beside_end_drop.push_back(where_absent(kDesignLoad));
   constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
 
-  rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends",
-              uses.kind,
+  rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends", uses.kind,
               {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
                "fujiwara-kawase", "table"});
   rows.quantity(
@@ -139,9 +137,9 @@ void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& us
 }
 
 void add_bearing_fields(std::vector<Field>& fields) {
-  add_bearing_type(fields, planetary_drivetrain,
-                   Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness,
-                       use::mesh));
+  add_bearing_type(
+      fields, planetary_drivetrain,
+      Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh));
   add_described(fields, default_drivetrain());
   add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
   add_forms(fields);

@@ -25,8 +25,8 @@ unsigned holding(described::Physics physics) {
       {gear_motion, use::gears_in_motion},
       {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect | use::defect |
                     use::planet_stiffness},
-      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect |
-                    use::planet_stiffness},
+      {carrier,
+       use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect | use::planet_stiffness},
       {carrier_body, use::carrier},
       {walls, use::gears_in_motion | use::natural | use::rollers_in_motion},
       {pin, use::rollers_in_motion | use::bearings_as_springs | use::moving_defect},
@@ -76,8 +76,7 @@ const Exception exceptions[] = {
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {{"gearset.dynamics.planet.bearing_stiffness"}, 0, 0, use::dynamic},
     {{"gearset.dynamics.damping_ratio.bearing"}, 0, use::fmu_gearset, use::one_set_in_time},
-    {{"simulation.integrator"},
-     other_rungs | use::fmu_bearing},
+    {{"simulation.integrator"}, other_rungs | use::fmu_bearing},
     {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean assumes identical rollers
     {{"bearing.misalignment.planet_tilt"}, 0, use::crown},
     // A computed tilt is that of bearings at rest; a single bearing in motion may use it. It has no effect on

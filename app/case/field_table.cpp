@@ -32,9 +32,10 @@ BlockOrder block_order(const std::string& path, std::map<std::string, std::size_
 // The order in which cases are written, where it is not that of the rows: keys of blocks. What is not listed
 // follows.
 const std::pair<std::string_view, std::vector<std::string_view>> written_first[] = {
-    {"", {"name",    "source",  "model",     "input",    "parallel_stage", "spectrum",  "gearset",
-          "bearing", "load",    "operation", "material", "contact",        "lubricant", "film",
-          "life",    "inertia", "numerics",  "traction", "drag",           "support",   "simulation"}},
+    {"",
+     {"name",     "source",    "model",    "input",   "parallel_stage", "spectrum", "gearset",    "bearing",
+      "load",     "operation", "material", "contact", "lubricant",      "film",     "life",       "inertia",
+      "numerics", "traction",  "drag",     "support", "simulation",     "heat",     "equilibrium"}},
     {"input.", {"member", "power", "torque", "torque_curve"}},
     {"gearset.", {"fixed", "planets", "teeth", "module", "pressure_angle", "profile_shift", "face_width"}},
     {"bearing.",
@@ -47,6 +48,8 @@ const std::pair<std::string_view, std::vector<std::string_view>> written_first[]
      {"inner_diameter", "outer_diameter", "width", "material", "density", "guide_land_diameter", "guidance",
       "pocket_clearance", "pocket_stiffness", "pocket_damping", "pocket_friction", "largest_eccentricity",
       "touch_down_stiffness"}},
+    {"operation.",
+     {"shaft_speed", "outer_speed", "speeds", "load_factors", "turning_race", "shaft_acceleration"}},
     {"contact.", {"law", "damping", "lubrication", "roughness", "boundary_friction"}}};
 
 // Blocks stay together in what is written from the table, whichever file adds their fields.

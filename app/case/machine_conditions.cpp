@@ -1,5 +1,5 @@
-// Conditions beside the types that analyses of machines take: conditional_uses() of machine_fields.hpp. Unlike
-// the other pairs of this folder it has no header of its own, since cases are above the fields.
+// Conditions beside the types that analyses of machines take: conditional_uses() of machine_fields.hpp.
+// Unlike the other pairs of this folder it has no header of its own, since cases are above the fields.
 #include <algorithm>
 
 #include "app/case/machine_fields.hpp"

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "app/case/bearing_fields.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -31,7 +29,10 @@ class UsesOfField {
   void add(use::Analysis analysis, const std::vector<ConditionalUse>& uses) {
     Conditional found{analysis, {}};
     for (const ConditionalUse& use : uses)
-      (use.beside_row ? beside_ : found.uses).push_back(use), analyses_beside_.push_back(analysis);
+      if (use.beside_row)
+        beside_.push_back({analysis, use.conditions});
+      else
+        found.uses.push_back(use);
     if (found.uses.empty())
       always_ |= analysis;
     else
@@ -48,8 +49,7 @@ class UsesOfField {
       put_shared(use);
     else
       for (const Conditional& one : conditional_) put_ways(one, 0, row.conditions, use);
-    for (std::size_t i = 0; i < beside_.size(); ++i)
-      use.ways.push_back({analyses_beside_[i], beside_[i].conditions});
+    use.ways.insert(use.ways.end(), beside_.begin(), beside_.end());
     return use;
   }
 
@@ -89,11 +89,10 @@ class UsesOfField {
 
   unsigned always_ = 0, not_modelled_ = 0, refused_ = 0;
   std::vector<Conditional> conditional_;
-  std::vector<ConditionalUse> beside_;
-  std::vector<use::Analysis> analyses_beside_;
+  std::vector<Way> beside_;
 };
 
-/// What the analyses of one model take.
+/// Inputs that the analyses of one model take.
 struct UsesOfModel {
   unsigned all = 0, rated = 0;  // all of them, and those with lives
   std::map<std::string, UsesOfField> by_path;
@@ -140,16 +139,20 @@ UsesOfModel uses_of(Model model, const MachineFields& of_machine) {
   return uses;
 }
 
+// A grade replaces viscosities.
+void add_grade(std::vector<Field>& fields, unsigned model, const Use& use) {
+  table::add_grade_fields(fields, model, use);
+  for (const char* path :
+       {"lubricant.viscosity", "lubricant.pressure_viscosity", "lubricant.kinematic_viscosity"})
+    if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent("lubricant.grade"));
+}
+
 // Inputs of app/case, by the uses of the members that they state.
 void add_inputs_of(const Field& holder, const UsesOfModel& uses, std::vector<Field>& fields) {
   const unsigned model = holder.models;
   if (holder.path == table::profile_member)
     table::add_profile_fields(fields, model, {holder.use, holder.use, holder.use, holder.use, uses.all});
-  if (holder.path != table::oil_member) return;
-  table::add_grade_fields(fields, model, holder.use);
-  for (const char* path :
-       {"lubricant.viscosity", "lubricant.pressure_viscosity", "lubricant.kinematic_viscosity"})
-    if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent("lubricant.grade"));
+  if (holder.path == table::oil_member) add_grade(fields, model, holder.use);
 }
 
 std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
@@ -158,6 +161,9 @@ std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
     for (Field& field : *fields) field.use = uses.by_path.at(field.path).joined(field.use);
   std::vector<Field>& fields = of_machine.fields;
   for (const Field& holder : of_machine.holders) add_inputs_of(holder, uses, fields);
+  const Field* viscosity = table::find_row(fields, "lubricant.viscosity");
+  if (viscosity != nullptr && table::find_row(fields, table::oil_member) == nullptr)
+    add_grade(fields, model, Use(viscosity->use));
   table::add_case_fields(fields, model, Use(uses.all, 0));
   table::add_bearing_type(fields, model, Use(uses.all, 0));
   if (uses.rated != 0) table::add_requirements(fields, model, Use(uses.rated, uses.all & ~uses.rated));

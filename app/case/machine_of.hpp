@@ -16,10 +16,14 @@
 
 namespace orbearing::app {
 
+/// Values that always follow from others, where these are missing or wrong.
+enum class Missing { refused, left_out };
+
 /// A visitor of the rows of a machine: gives each member the value that the case has.
 class MachineFromCase {
  public:
-  explicit MachineFromCase(const ResolvedCase& in) : in_(in) {}
+  explicit MachineFromCase(const ResolvedCase& in, Missing missing = Missing::refused)
+      : in_(in), missing_(missing) {}
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
@@ -41,9 +45,11 @@ class MachineFromCase {
     if (facts.path == "bearing.profile") member = roller_profile_of(in_);
   }
   void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
-    if (in_.has(facts.path)) member = graded_oil(in_);
+    if (in_.has(facts.path)) member = is_known_oil(in_) ? graded_oil(in_) : bearing::OilGrade{};
   }
-  void operator()(bearing::Lubricant& member, const described::Facts&) { member = graded_lubricant(in_); }
+  void operator()(bearing::Lubricant& member, const described::Facts&) {
+    if (has_all(in_, {"lubricant.viscosity", "lubricant.pressure_viscosity"})) member = graded_lubricant(in_);
+  }
   void operator()(std::optional<bearing::friction::BearingSize>& member, const described::Facts&) {
     member = size_of(in_);
   }
@@ -77,7 +83,8 @@ class MachineFromCase {
  private:
   // Values that always follow from others must be there.
   bool is_expected(const std::string& path) const {
-    return follows_always(path) && (find_field(path)->models & in_.model()) != 0;
+    return missing_ == Missing::refused && follows_always(path) &&
+           (find_field(path)->models & in_.model()) != 0;
   }
   bool is_of_missing_cage(const std::string& path) const {
     return path.starts_with("bearing.cage.") && is_full_complement(in_);
@@ -107,14 +114,15 @@ class MachineFromCase {
   }
 
   const ResolvedCase& in_;
+  Missing missing_;
   bool looking_ = false, found_ = false;  // whether the case states an input of an alternative
 };
 
 /// A machine, or what an analysis takes of it, with the values of the case.
 template <class Machine>
-Machine machine_of(const ResolvedCase& in) {
+Machine machine_of(const ResolvedCase& in, Missing missing = Missing::refused) {
   Machine machine{};
-  MachineFromCase visit(in);
+  MachineFromCase visit(in, missing);
   describe(visit, machine);
   return machine;
 }

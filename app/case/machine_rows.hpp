@@ -76,8 +76,8 @@ struct SpinFilm {
 };
 struct RollerBearing {
   using Type = analysis::RollerBearing;
-  using Checked = RowsOf<analysis::RollersUnderLoad, analysis::LoadOnRollers, analysis::ViscosityRatio,
-                         analysis::OilOfLife>;
+  using Checked =
+      RowsOf<analysis::OilOfRollers, analysis::LoadOnRollers, analysis::ViscosityRatio, analysis::OilOfLife>;
   static constexpr Model model = described::roller_bearing;
   static constexpr std::string_view prefix = "";
 };
@@ -99,7 +99,7 @@ struct MeshesOfPair {
   static constexpr auto analyse = analysis::meshes_of_pair;
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view command = "mesh";
-  static constexpr const char* name = "mesh";        // for users, among those that use an input
+  static constexpr const char* name = "mesh";  // for users, among those that use an input
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
   static constexpr double scatter = app::scatter::at_rest;
 };
@@ -130,7 +130,6 @@ struct FilmOfContact {
   static constexpr ResultNames names{"film", "film of a contact"};
   static constexpr double scatter = app::scatter::of_films;
 };
-
 
 struct SingleBearingAtRest {
   static constexpr std::string_view command = "run";
@@ -178,9 +177,8 @@ struct StiffnessOfBalls : StiffnessOfSingleBearing {
 
 }  // namespace machine_rows
 
-using Machines =
-    RowsOf<machine_rows::RollerBearing, machine_rows::BallBearing, machine_rows::BallsInTime,
-           machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
+using Machines = RowsOf<machine_rows::BallsInTime, machine_rows::RollerBearing, machine_rows::BallBearing,
+                        machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
 using MachineAnalyses =
     RowsOf<machine_rows::RollersUnderLoad, machine_rows::BallsUnderLoad, machine_rows::RunOfBalls,
            machine_rows::StiffnessOfRollers, machine_rows::StiffnessOfBalls, machine_rows::MeshesOfPair,

@@ -55,8 +55,7 @@ MachineAnalysis values_of(std::size_t number) {
 
 std::vector<MachineAnalysis> rows_of_analyses() {
   std::vector<MachineAnalysis> rows;
-  MachineAnalyses::each(
-      [&]<class Row>(Row, std::size_t number) { rows.push_back(values_of<Row>(number)); });
+  MachineAnalyses::each([&]<class Row>(Row, std::size_t number) { rows.push_back(values_of<Row>(number)); });
   return rows;
 }
 
@@ -84,7 +83,7 @@ bool has_length(const ResolvedCase& in, const Field& field) {
   return field.count == 0 || !in.has(field.path) || in.list(field.path).size() == field.count;
 }
 
-// Of a list that is shorter or longer than its member, and of a chosen alternative without an input.
+// Lists that are shorter or longer than their members, and chosen alternatives without an input.
 void check_form(CheckedCase& in) {
   for (const Field& field : fields_of_machine(in.model())) {
     if (is_required(in, field) && field.required_if_chosen && !in.has(field.path) &&
@@ -114,7 +113,7 @@ template <class Row>
 void check_parts(CheckedCase& in) {
   Row::Checked::each([&]<class Part>(Part, std::size_t) {
     if (!is_whole<Part>(in)) return;
-    for (const mechanics::Problem& problem : problems(machine_of<Part>(in)))
+    for (const mechanics::Problem& problem : problems(machine_of<Part>(in, Missing::left_out)))
       in.add_error(stated_path(in, problem.key), problem.text);
   });
 }

@@ -118,6 +118,10 @@ bearing::OilGrade graded_oil(const ResolvedCase& in) {
                        [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
 }
 
+bool is_known_oil(const ResolvedCase& in) {
+  return in.choice(kGrade) != kStatedGrade || in.has(kAt40);
+}
+
 double graded_viscosity_slope(const ResolvedCase& in) {
   return bearing::viscosity_slope(graded_oil(in), in.quantity(kTemperature));
 }

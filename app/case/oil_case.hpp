@@ -39,6 +39,8 @@ double oil_density(const ResolvedCase& resolved);
 /// The oil that `lubricant.grade` names, or of which lubricant.viscosity_40 and viscosity_100 state the
 /// viscosities.
 bearing::OilGrade graded_oil(const ResolvedCase& resolved);
+/// Whether the case states what that oil is. Else it is refused by check_grade().
+bool is_known_oil(const ResolvedCase& resolved);
 /// Its properties at its temperature.
 bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
 /// Relative decrease of its viscosity per kelvin [1/K].

@@ -25,7 +25,8 @@ namespace table {
 
 void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use) {
   const Condition graded = where_given({"lubricant.grade"});
-  Rows rows(fields, models & find_row(fields, "lubricant.viscosity")->models);
+  models &= row_of(fields, "lubricant.viscosity").models;
+  Rows rows(fields, models);
   std::vector<std::string> grades;
   for (const int grade : bearing::kOilGrades) grades.push_back(fmt::format("ISO VG {}", grade));
   grades.emplace_back(kStatedGrade);

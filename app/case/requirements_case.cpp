@@ -46,7 +46,8 @@ std::string requirement_path(const RequirementRow& row) {
 }
 
 bool requirements_choose_the_life(const ResolvedCase& in, std::string_view) {
-  return in.has("life.method") && in.origin("life.method") == "default" && !in.has("bearing.dynamic_capacity");
+  return in.has("life.method") && in.origin("life.method") == "default" &&
+         !in.has("bearing.dynamic_capacity");
 }
 
 }  // namespace
@@ -56,8 +57,8 @@ void table::add_requirements(std::vector<Field>& fields, unsigned models, const 
     if ((row.models & models) == 0) continue;
     Rows rows(fields, row.models & models);
     // A stated requirement selects the life that a crown optimizes, where no other input does.
-    const Use limit = use.used_too(crown, {where_true(requirements_choose_the_life,
-                                                      "where neither life.method nor C is stated")});
+    const Use limit = use.used_too(
+        crown, {where_true(requirements_choose_the_life, "where neither life.method nor C is stated")});
     if (row.dimension.name.empty())
       rows.number(requirement_path(row), row.meaning, limit, positive(1e9));
     else

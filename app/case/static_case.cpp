@@ -35,7 +35,7 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {
 
 analysis::BallRun ball_run(const ResolvedCase& in, const std::function<void(double)>& progress) {
   return result_for(in,
-                   [&] { return analysis::run_of_balls(machine_of<analysis::BallsInTime>(in), progress); });
+                    [&] { return analysis::run_of_balls(machine_of<analysis::BallsInTime>(in), progress); });
 }
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {

@@ -28,8 +28,8 @@ void check_balls(CheckedCase& in) {
 
 void check_starvation(CheckedCase& in) {
   const bool sized = has_all(in, {"bearing.bore", "bearing.outside_diameter"});
-  for (const mechanics::Problem& problem : bearing::motion::starvation_problems(
-           from_case<bearing::motion::RaceContactParameters>(in), sized))
+  for (const mechanics::Problem& problem :
+       bearing::motion::starvation_problems(from_case<bearing::motion::RaceContactParameters>(in), sized))
     in.add_error(problem.key, problem.text);
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> problems(const StiffnessOptions& options) {
 
 namespace {
 
-// Of a duplex pair modes have the same inputs. Models without stiffness are refused by the study.
+// Modes of a duplex pair have the same inputs. Models without stiffness are refused by the study.
 std::vector<std::string> unused_by_stiffness(const ResolvedCase& in) {
   if (in.model() == planetary_drivetrain) return require_used(in, use::planet_stiffness, Axes::all);
   for (const char* command : {"stiffness", "modes"})

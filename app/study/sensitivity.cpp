@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
-#include "app/case/set_case.hpp"
 #include "app/case/machines.hpp"
+#include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"

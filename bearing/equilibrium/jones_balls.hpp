@@ -27,8 +27,7 @@ template <class Visitor>
 void describe(Visitor& visit, BallInertia& m) {
   using namespace described;
   members(visit, m,
-          input(m.enabled, "equilibrium.ball_inertia",
-                "centrifugal force and gyroscopic moment of the balls",
+          input(m.enabled, "equilibrium.ball_inertia", "centrifugal force and gyroscopic moment of the balls",
                 {.reason = "nothing left out"}),
           input(m.attitude, "equilibrium.ball_attitude",
                 "condition for the directions of the balls' axes and for the race that holds their "
@@ -38,8 +37,7 @@ void describe(Visitor& visit, BallInertia& m) {
           input(m.gyroscopic_moment, "equilibrium.gyroscopic_moment",
                 "gyroscopic moment of the balls: rate of their angular momentum, opposite sign as published "
                 "in textbooks, or none",
-                {.reason = "the rate of angular momentum",
-                 .where = {"equilibrium.ball_inertia", "true"}}));
+                {.reason = "the rate of angular momentum", .where = {"equilibrium.ball_inertia", "true"}}));
 }
 
 /// Motion of a row, and film in its contacts.

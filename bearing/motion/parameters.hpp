@@ -125,7 +125,7 @@ struct RaceContactParameters {
   double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
   Starvation starvation = Starvation::none;
   double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
-  bool squeeze = false;  // squeeze film: oil resists the approach
+  bool squeeze = false;        // squeeze film: oil resists the approach
   Lubrication lubrication = Lubrication::full;
   double roughness = 0.2e-6;        // [m]  composite rms of roller and race
   double boundary_friction = 0.12;  // [-]  of asperities in contact
@@ -134,18 +134,19 @@ struct RaceContactParameters {
 /// Rows that bearings at rest have too.
 inline auto starvation_row(Starvation& starvation) {
   using namespace described;
-  return field(starvation, "traction.starvation", Physics::motion,
-            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
-            "at rest by the oil that returns to the tracks",
-            {.models = in_motion | roller_bearing,
-             .reason = "flooded, as in published cases",
-             .where = {"traction.rolling_resistance", "true"}});
+  return field(
+      starvation, "traction.starvation", Physics::motion,
+      "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
+      "at rest by the oil that returns to the tracks",
+      {.models = in_motion | roller_bearing,
+       .reason = "flooded, as in published cases",
+       .where = {"traction.rolling_resistance", "true"}});
 }
 inline auto film_row(bool& in_approach) {
   using namespace described;
   return field(in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
-            {.models = planetary_drivetrain | ball_bearing,
-             .reason = "dry contacts first; the effect of the film is shown separately"});
+               {.models = planetary_drivetrain | ball_bearing,
+                .reason = "dry contacts first; the effect of the film is shown separately"});
 }
 
 template <class Visitor>
@@ -179,11 +180,13 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .reason = "creep of oiled contacts",
              .where = coulomb,
              .fmu = InFmu::parameter}),
-      field(m.sliding_share, "traction.sliding_share", Physics::motion,
-            "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
-            {.models = planetary_drivetrain,
-             .range = {0.0, 1.0},
-             .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % [JohnsonTevaarwerk1977]"}),
+      field(
+          m.sliding_share, "traction.sliding_share", Physics::motion,
+          "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
+          {.models = planetary_drivetrain,
+           .range = {0.0, 1.0},
+           .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % "
+                     "[JohnsonTevaarwerk1977]"}),
       field(m.limiting_friction, "traction.limiting_friction", Physics::motion,
             "limiting shear stress of the oil over pressure",
             {.models = in_time,
@@ -233,8 +236,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .where = {"heat.enabled|traction.inlet_heating|film.inlet_heating",
                        "true|goksem-hargreaves|gupta"}}),
       internal(m.oil_conductivity, "traction.oil_conductivity"),
-      internal(m.rolling_share, "traction.rolling_share"),
-      film_row(m.film_in_approach),
+      internal(m.rolling_share, "traction.rolling_share"), film_row(m.film_in_approach),
       field(m.squeeze, "contact.squeeze", Physics::motion,
             "squeeze film between rolling element and race resists their approach",
             {.models = in_time,
@@ -281,9 +283,9 @@ struct CageParameters {
   double pocket_friction = 0.05;  // [-]
   PocketFilm pocket_film = PocketFilm::none;
   double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film
-  double guide_diameter = 0.0;  // [m]    of the land; 0: no guidance
-  double land_width = 0.0;      // [m]    of one land; 0: what cage width and roller length leave at each side
-  int lands = 2;                // [-]
+  double guide_diameter = 0.0;       // [m]    of the land; 0: no guidance
+  double land_width = 0.0;  // [m]    of one land; 0: what cage width and roller length leave at each side
+  int lands = 2;            // [-]
   double largest_eccentricity = 0.98;  // [-]    of the land's clearance where roughness takes over
   double touch_down_stiffness = 1e7;   // [N/m]  Assumption
   double touch_down_damping = 1.0;     // [s/m]  Assumption
@@ -294,11 +296,11 @@ struct CageParameters {
 inline auto guide_land_row(double& diameter) {
   using namespace described;
   return field(diameter, "bearing.cage.guide_land_diameter", Physics::motion,
-            "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
-            {.models = with_rollers | balls_in_time,
-             .dimension = dimension::length,
-             .range = {0.0, 1e4},
-             .fmu = InFmu::parameter});
+               "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
+               {.models = with_rollers | balls_in_time,
+                .dimension = dimension::length,
+                .range = {0.0, 1e4},
+                .fmu = InFmu::parameter});
 }
 
 template <class Visitor>
@@ -338,8 +340,8 @@ void describe(Visitor& visit, CageParameters& m) {
              .range = positive(100.0),
              .reason = "a moulded or milled bar",
              .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
-      guide_land_row(m.guide_diameter),
-      internal(m.land_width, "bearing.cage.land_width"), internal(m.lands, "bearing.cage.lands"),
+      guide_land_row(m.guide_diameter), internal(m.land_width, "bearing.cage.land_width"),
+      internal(m.lands, "bearing.cage.lands"),
       field(m.largest_eccentricity, "bearing.cage.largest_eccentricity", Physics::motion,
             "share of the land's clearance where roughness carries",
             {.models = in_time,
@@ -394,11 +396,11 @@ struct OilDragParameters {
 inline auto oil_share_row(double& share) {
   using namespace described;
   return field(share, "lubricant.share", Physics::motion, "oil in the free volume of the bearing",
-                {.models = in_time | roller_bearing,
-                 .range = {0.0, 1.0},
-                 .reason = "oil mist with jets",
-                 .where = {"drag.enabled", "true"},
-                 .fmu = InFmu::parameter});
+               {.models = in_time | roller_bearing,
+                .range = {0.0, 1.0},
+                .reason = "oil mist with jets",
+                .where = {"drag.enabled", "true"},
+                .fmu = InFmu::parameter});
 }
 
 template <class Visitor>
@@ -415,8 +417,7 @@ void describe(Visitor& visit, OilDragParameters& m) {
                  .reason = "mineral oil",
                  .where = on,
                  .fmu = InFmu::parameter}),
-          oil_share_row(m.oil_share),
-          internal(m.drag_coefficient, "drag.coefficient"),
+          oil_share_row(m.oil_share), internal(m.drag_coefficient, "drag.coefficient"),
           internal(m.churning_coefficient, "drag.churning_coefficient"));
 }
 

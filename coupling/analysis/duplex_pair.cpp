@@ -63,20 +63,20 @@ std::vector<mechanics::Conditional<Inputs>> conditions_of_pair() {
   const std::string speed = "operation.shaft_speed", speeds = "operation.speeds";
   const std::string inertia = "equilibrium.ball_inertia", arrangement = "arrangement";
   const auto rotates = [](const Inputs& in) { return preloaded(in).rotates(); };
-  return {{.keys = {"linear."},
-           .premises = {{.on = {arrangement, speed},
-                         .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
-                         .text = "where arrangement is face-to-face or tandem, and operation.shaft_speed is 0"}}},
-          {.keys = {"equilibrium."}, .premises = {{.on = {speed, speeds}, .holds = rotates}}},
-          {.keys = {"material.density"},
-           .premises = {
-               {.on = {speed, speeds, inertia},
-                .holds =
-                    [](const Inputs& in) {
-                      return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled;
-                    },
-                .text = "together with operation.shaft_speed or operation.speeds, and where "
-                        "equilibrium.ball_inertia is true"}}}};
+  return {
+      {.keys = {"linear."},
+       .premises = {{.on = {arrangement, speed},
+                     .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
+                     .text = "where arrangement is face-to-face or tandem, and operation.shaft_speed is 0"}}},
+      {.keys = {"equilibrium."}, .premises = {{.on = {speed, speeds}, .holds = rotates}}},
+      {.keys = {"material.density"},
+       .premises = {{.on = {speed, speeds, inertia},
+                     .holds =
+                         [](const Inputs& in) {
+                           return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled;
+                         },
+                     .text = "together with operation.shaft_speed or operation.speeds, and where "
+                             "equilibrium.ball_inertia is true"}}}};
 }
 
 }  // namespace

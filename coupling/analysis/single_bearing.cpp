@@ -144,12 +144,11 @@ template <class Inputs>
 Conditional<Inputs> reliability_under_load() {
   return {.keys = {"life.reliability"},
           .premises = {{.on = {"load.radial", "load.axial", "load.moment", "load.moment_across"},
-                        .holds =
-                            [](const Inputs& in) {
-                              const bearing::equilibrium::RingLoad& load = in.loaded.load;
-                              return is_nonzero(load.radial) || is_nonzero(load.axial) ||
-                                     is_nonzero(load.moment) || is_nonzero(load.moment_across);
-                            }}}};
+                        .holds = [](const Inputs& in) {
+                          const bearing::equilibrium::RingLoad& load = in.loaded.load;
+                          return is_nonzero(load.radial) || is_nonzero(load.axial) ||
+                                 is_nonzero(load.moment) || is_nonzero(load.moment_across);
+                        }}}};
 }
 
 // For the contamination factor, which a film has.
@@ -164,17 +163,16 @@ Conditional<Inputs> lubrication() {
                         .holds = [](const Inputs& in) { return stated_oil(in.loaded).has_value(); }}}};
 }
 
-// An oil that is stated by a grade has a kinematic viscosity: for kappa, and for the friction of rings that
-// rotate.
+// An oil that is stated by a grade has a kinematic viscosity: for kappa, and for friction.
 template <class Inputs>
-std::vector<Conditional<Inputs>> grade_of_lives() {
+std::vector<Conditional<Inputs>> conditions_of_grade(const std::vector<Premise<Inputs>>& friction) {
   const std::vector<std::string> keys{"lubricant.grade", "lubricant.temperature"};
   return {{.keys = keys,
            .premises = {{.on = {"life.viscosity_ratio"},
                          .holds = [](const Inputs& in) { return !in.loaded.life.viscosity_ratio; },
                          .text = "where life.viscosity_ratio is not given"}},
            .otherwise = Otherwise::not_modelled},
-          {.keys = keys, .premises = {rings_rotate<Inputs>()}, .otherwise = Otherwise::not_modelled}};
+          {.keys = keys, .premises = friction, .otherwise = Otherwise::not_modelled}};
 }
 
 template <class Inputs>
@@ -216,14 +214,11 @@ void append(std::vector<Item> more, std::vector<Item>& all) {
 std::vector<Conditional<RollersUnderLoad>> RollersUnderLoad::conditions() {
   using In = RollersUnderLoad;
   const std::vector<Premise<In>> friction{oil_has_viscosity<In>(), rings_rotate<In>()};
-  std::vector<Premise<In>> heat = friction;
-  heat.push_back({.on = {"heat.enabled"}, .holds = [](const In& in) { return in.oil.heated; }, .value = "true"});
   std::vector<Conditional<In>> all{
-      {.keys = {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density",
-                "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"},
+      {.keys = {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density", "heat.",
+                "lubricant.flow", "lubricant.share", "traction.starvation"},
        .premises = friction,
        .otherwise = Otherwise::not_modelled},
-      {.keys = {"heat.model", "heat.inlet"}, .premises = heat, .otherwise = Otherwise::not_modelled},
       {.keys = {"life.stress_riser"},  // with the least number both are one formula
        .premises = {{.on = {"bearing.laminae"},
                      .holds =
@@ -234,21 +229,23 @@ std::vector<Conditional<RollersUnderLoad>> RollersUnderLoad::conditions() {
       reliability_with_oil<In>(),
       reliability_under_load<In>(),
       lubrication<In>()};
-  append(grade_of_lives<In>(), all);
+  append(conditions_of_grade<In>({rings_rotate<In>()}), all);
   return all;
 }
 
 std::vector<Conditional<BallsUnderLoad>> BallsUnderLoad::conditions() {
   using In = BallsUnderLoad;
+  const Premise<In> sized{.on = {"bearing.designation"},
+                          .holds = [](const In& in) { return in.loaded.size.has_value(); }};
   std::vector<Conditional<In>> all = conditions_of_balls<In>();
   append({{.keys = {"material.density"},
-           .premises = {oil_has_viscosity<In>(), rings_rotate<In>()},
+           .premises = {oil_has_viscosity<In>(), rings_rotate<In>(), sized},
            .otherwise = Otherwise::not_modelled},
           reliability_with_oil<In>(),
           reliability_under_load<In>(),
           lubrication<In>()},
          all);
-  append(grade_of_lives<In>(), all);
+  append(conditions_of_grade<In>({rings_rotate<In>(), sized}), all);
   return all;
 }
 
@@ -293,69 +290,67 @@ Premise<BallsInTime> is_heated() {
 std::vector<Conditional<BallsInTime>> conditions_of_friction() {
   using In = BallsInTime;
   using motion::TractionLaw;
-  return {
-      {.keys = {"traction.sliding_scale"},
-       .premises = {{.on = {"bearing.cage.pocket_friction"},
-                     .holds = [](const In& in) { return moving(in).cage.pocket_friction != 0.0; }}},
-       .beside_row = true},
-      {.keys = {"traction.sliding_scale"},
-       .premises = {{.on = {"bearing.cage.guide_land_diameter"},
-                     .holds = [](const In& in) { return moving(in).cage.guide_diameter != 0.0; }}},
-       .beside_row = true},
-      {.keys = {"traction.limiting_friction"},
-       .premises = {{.on = {"traction.law"},
-                     .holds =
-                         [](const In& in) { return moving(in).race.traction == TractionLaw::ree_eyring; },
-                     .value = "ree-eyring"}},
-       .beside_row = true},
-      {.keys = {"traction.largest_barus_exponent"},
-       .premises = {{.on = {"traction.law"},
-                     .holds = [](const In& in) { return nature_of(moving(in).race.traction).shears_oil; },
-                     .value = "limiting-shear|ree-eyring"}}}};
+  return {{.keys = {"traction.sliding_scale"},
+           .premises = {{.on = {"bearing.cage.pocket_friction"},
+                         .holds = [](const In& in) { return moving(in).cage.pocket_friction != 0.0; }}},
+           .beside_row = true},
+          {.keys = {"traction.sliding_scale"},
+           .premises = {{.on = {"bearing.cage.guide_land_diameter"},
+                         .holds = [](const In& in) { return moving(in).cage.guide_diameter != 0.0; }}},
+           .beside_row = true},
+          {.keys = {"traction.limiting_friction"},
+           .premises = {{.on = {"traction.law"},
+                         .holds =
+                             [](const In& in) { return moving(in).race.traction == TractionLaw::ree_eyring; },
+                         .value = "ree-eyring"}},
+           .beside_row = true},
+          {.keys = {"traction.largest_barus_exponent"},
+           .premises = {{.on = {"traction.law"},
+                         .holds = [](const In& in) { return nature_of(moving(in).race.traction).shears_oil; },
+                         .value = "limiting-shear|ree-eyring"}}}};
 }
 
 std::vector<Conditional<BallsInTime>> conditions_of_oil_flow() {
   using In = BallsInTime;
   using namespace bearing::balls;
-  return {{.keys = {"lubricant.share"},
-           .premises = {{.on = {"lubricant.fill"},
-                         .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::stated; },
-                         .text = "where lubricant.fill is stated"}}},
-          {.keys = {"lubricant.flow"},
-           .premises = {{.on = {"drag.mixture"},
-                         .holds = [](const In& in) { return moving(in).mixture.motion == OilMotion::carried; },
-                         .value = "carried"},
-                        oil_is_stirred()}},
-          {.keys = {"lubricant.flow"},
-           .premises = {{.on = {"lubricant.fill"},
-                         .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::parker; },
-                         .value = "parker"},
-                        oil_is_stirred()}},
-          {.keys = {"lubricant.flow"}, .premises = {is_heated()}}};
+  return {
+      {.keys = {"lubricant.share"},
+       .premises = {{.on = {"lubricant.fill"},
+                     .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::stated; },
+                     .text = "where lubricant.fill is stated"}}},
+      {.keys = {"lubricant.flow"},
+       .premises = {{.on = {"drag.mixture"},
+                     .holds = [](const In& in) { return moving(in).mixture.motion == OilMotion::carried; },
+                     .value = "carried"},
+                    oil_is_stirred()}},
+      {.keys = {"lubricant.flow"},
+       .premises = {{.on = {"lubricant.fill"},
+                     .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::parker; },
+                     .value = "parker"},
+                    oil_is_stirred()}},
+      {.keys = {"lubricant.flow"}, .premises = {is_heated()}}};
 }
 
 std::vector<Conditional<BallsInTime>> conditions_of_heat() {
   using In = BallsInTime;
-  return {{.keys = {"heat.inlet"},
-           .premises = {{.on = {"lubricant.flow"},
-                         .holds = [](const In& in) { return moving(in).mixture.flow > 0.0; }}}},
-          {.keys = {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
-                    "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
-                    "heat.expansion", "heat.sizes_temperature"},
-           .premises = {{.on = {"heat.model"},
-                         .holds =
-                             [](const In& in) {
-                               return in.simulation.heat.model == system::HeatModel::network;
-                             },
-                         .value = "network"}}},
-          {.keys = {"bearing.outside_diameter"},  // of a ring that has a mass to be heated
-           .premises = {is_heated()},
-           .otherwise = Otherwise::not_modelled},
-          {.keys = {"bearing.outside_diameter"},
-           .premises = {{.on = {"bearing.designation", "bearing.bore"},
-                         .holds =
-                             [](const In& in) { return in.loaded.bearing.inner.seat_diameter > 0.0; }}},
-           .otherwise = Otherwise::not_modelled}};
+  return {
+      {.keys = {"heat.inlet"},
+       .premises = {{.on = {"lubricant.flow"},
+                     .holds = [](const In& in) { return moving(in).mixture.flow > 0.0; }}}},
+      {.keys = {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
+                "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
+                "heat.expansion", "heat.sizes_temperature"},
+       .premises = {{.on = {"heat.model"},
+                     .holds =
+                         [](const In& in) { return in.simulation.heat.model == system::HeatModel::network; },
+                     .value = "network"}}},
+      {.keys = {"bearing.outside_diameter"},  // of a ring that has a mass to be heated
+       .premises = {is_heated()},
+       .otherwise = Otherwise::not_modelled},
+      {.keys = {"bearing.outside_diameter"},
+       .premises = {{.on = {"bearing.designation", "bearing.bore"},
+                     .holds = [](const In& in) { return in.loaded.bearing.inner.seat_diameter > 0.0; }}},
+       .otherwise = Otherwise::not_modelled}};
 }
 
 }  // namespace
@@ -415,7 +410,8 @@ mechanics::Problems problems(const OilOfLife& machine) {
   const LifeInputs& life = machine.life;
   mechanics::Problems found;
   if (machine.oil.grade) return found;  // a viscosity that is always there
-  const bool of_ratio = life.viscosity_ratio.has_value(), of_oil = machine.oil.kinematic_viscosity.has_value();
+  const bool of_ratio = life.viscosity_ratio.has_value(),
+             of_oil = machine.oil.kinematic_viscosity.has_value();
   if (of_ratio && of_oil)
     found.push_back({viscosity, "a value together with life.viscosity_ratio; one of the two is required"});
   for (const auto& [key, stated] :
@@ -444,10 +440,11 @@ mechanics::Problems problems(const ViscosityRatio& machine) {
              "viscosity ratio follows"}};
   const double kappa = viscosity / rating::required_viscosity(speed, machine.pitch_diameter);
   if (kappa >= rating::kLeastViscosityRatio) return {};
-  return {{key, "a viscosity ratio kappa of " + significant(kappa, 3) + " by a viscosity of " +
-                    significant(1e6 * viscosity, 3) + " mm2/s; at least " +
-                    significant(rating::kLeastViscosityRatio, 6) +
-                    " is required, where a_ISO begins: a thicker oil, a lower temperature or a higher speed"}};
+  return {
+      {key, "a viscosity ratio kappa of " + significant(kappa, 3) + " by a viscosity of " +
+                significant(1e6 * viscosity, 3) + " mm2/s; at least " +
+                significant(rating::kLeastViscosityRatio, 6) +
+                " is required, where a_ISO begins: a thicker oil, a lower temperature or a higher speed"}};
 }
 
 namespace {
@@ -461,14 +458,14 @@ void find_heat_without_flow(bool heated, system::HeatModel model, double flow, m
 
 }  // namespace
 
-mechanics::Problems problems(const RollersUnderLoad& machine) {
+mechanics::Problems problems(const OilOfRollers& machine) {
   const RollerOil& oil = machine.oil;
   mechanics::Problems found;
   find_heat_without_flow(oil.heated, oil.model, oil.flow, found);
   if (oil.heated && oil.model == system::HeatModel::network)
     found.push_back(
         {"heat.model", "a network of bodies for rollers; oil is required: rollers heat the oil alone"});
-  append(motion::starvation_problems(oil.starvation, machine.loaded.size.has_value()), found);
+  append(motion::starvation_problems(oil.starvation, machine.size.has_value()), found);
   return found;
 }
 

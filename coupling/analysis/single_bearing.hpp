@@ -107,29 +107,28 @@ void describe(Visitor& visit, RollerLifeInputs& m) {
 
 inline auto oil_temperature_row(double& temperature) {
   using namespace described;
-  return input(
-      temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
-      {.dimension = dimension::temperature, .range = {-20.0, 150.0}, .reason = "oil of a gearbox at full load"});
+  return input(temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
+               {.dimension = dimension::temperature,
+                .range = {-20.0, 150.0},
+                .reason = "oil of a gearbox at full load"});
 }
 
 /// The oil of a bearing, for films, friction and kappa.
 struct BearingOil {
-  std::optional<bearing::OilGrade> grade;     // none: not stated by a grade
-  double temperature = 70.0;                  // [degC]  at which the oil of a grade runs
-  std::optional<double> kinematic_viscosity;  // [m^2/s]  at running temperature
+  std::optional<bearing::OilGrade> grade;                 // none: not stated by a grade
+  double temperature = 70.0;                              // [degC]  at which the oil of a grade runs
+  std::optional<double> kinematic_viscosity;              // [m^2/s]  at running temperature
   bearing::Lubricant lubricant = bearing::warm_gear_oil;  // of the grade, or as stated with its own rows
 };
 /// A case states a grade by several inputs.
 template <class Visitor>
 void describe(Visitor& visit, BearingOil& m) {
   using namespace described;
-  members(
-      visit, m, internal(m.grade, "lubricant.grade"),
-      oil_temperature_row(m.temperature),
-      input(m.kinematic_viscosity, "lubricant.kinematic_viscosity",
-            "kinematic viscosity at running temperature, instead of kappa",
-            {.dimension = dimension::kinematic_viscosity, .range = positive(1e6)}),
-      internal(m.lubricant, "lubricant.grade"));
+  members(visit, m, internal(m.grade, "lubricant.grade"), oil_temperature_row(m.temperature),
+          input(m.kinematic_viscosity, "lubricant.kinematic_viscosity",
+                "kinematic viscosity at running temperature, instead of kappa",
+                {.dimension = dimension::kinematic_viscosity, .range = positive(1e6)}),
+          internal(m.lubricant, "lubricant.grade"));
 }
 
 /// Inputs of all runs of a bearing under a load of its own.
@@ -357,10 +356,20 @@ void describe(Visitor& visit, BallBearing& m) {
 }
 
 /// Inconsistencies of the whole machine.
-mechanics::Problems problems(const RollersUnderLoad& machine);
 mechanics::Problems problems(const BallsInTime& machine);
 
 // Parts of machines whose inconsistencies are found without the other inputs.
+
+/// Oil and heat of rollers at rest.
+struct OilOfRollers {
+  RollerOil oil;
+  std::optional<bearing::friction::BearingSize> size;
+};
+template <class Visitor>
+void describe(Visitor& visit, OilOfRollers& m) {
+  described::members(visit, m, described::part(m.oil), described::internal(m.size, "bearing.size"));
+}
+mechanics::Problems problems(const OilOfRollers& machine);
 
 /// The load on an inner ring.
 struct LoadOnRing {

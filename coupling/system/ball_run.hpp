@@ -51,41 +51,34 @@ struct BallRunOptions {
 template <class Visitor>
 void describe(Visitor& visit, BallRunOptions& m) {
   using namespace described;
-  rows(
-      visit,
-      input(m.duration, "simulation.duration", "time that is simulated",
-            {.dimension = dimension::time,
-             .range = positive(1e5)}),
-      input(m.observed, "simulation.observed_share",
-            "share of the time, at its end, for the means",
-            {.range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-             .reason = "the time before it is for settling",
-             .numerical = true}),
-      input(m.settling_band, "simulation.settling_band",
-            "band about the mean of the last third of the run, as a share of the cage's kinematic speed; "
-            "outside it the cage slip has not settled",
-            {.range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-             .reason = "settling times are usually stated for a band of 5 %",
-             .numerical = true}),
-      input(m.start, "simulation.start", "motion of balls and cage at the start",
-            {.reason = "as at pure rolling on the rings' speeds of that instant"}),
-      input(m.samples, "simulation.samples",
-            "number of output states, at equal time steps",
-            {.range = {2, 10'000'000},
-             .reason = "enough for a picture",
-             .numerical = true}),
-      input(m.form, "simulation.form",
-            "degrees of freedom with inertia: all, or as published in [Chen2026], with static equilibrium "
-            "where contacts hold them",
-            {.reason = "the complete equations are faster, too"}),
-      input(m.published_step, "simulation.step",
-            "step of the classic Runge-Kutta method",
-            {.dimension = dimension::time,
-             .range = positive(1e-3),
-             .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
-             .where = {"simulation.form", "printed"},
-             .numerical = true}),
-      length_error_row(m.length_error));
+  rows(visit,
+       input(m.duration, "simulation.duration", "time that is simulated",
+             {.dimension = dimension::time, .range = positive(1e5)}),
+       input(m.observed, "simulation.observed_share", "share of the time, at its end, for the means",
+             {.range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+              .reason = "the time before it is for settling",
+              .numerical = true}),
+       input(m.settling_band, "simulation.settling_band",
+             "band about the mean of the last third of the run, as a share of the cage's kinematic speed; "
+             "outside it the cage slip has not settled",
+             {.range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+              .reason = "settling times are usually stated for a band of 5 %",
+              .numerical = true}),
+       input(m.start, "simulation.start", "motion of balls and cage at the start",
+             {.reason = "as at pure rolling on the rings' speeds of that instant"}),
+       input(m.samples, "simulation.samples", "number of output states, at equal time steps",
+             {.range = {2, 10'000'000}, .reason = "enough for a picture", .numerical = true}),
+       input(m.form, "simulation.form",
+             "degrees of freedom with inertia: all, or as published in [Chen2026], with static equilibrium "
+             "where contacts hold them",
+             {.reason = "the complete equations are faster, too"}),
+       input(m.published_step, "simulation.step", "step of the classic Runge-Kutta method",
+             {.dimension = dimension::time,
+              .range = positive(1e-3),
+              .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
+              .where = {"simulation.form", "printed"},
+              .numerical = true}),
+       length_error_row(m.length_error));
 }
 
 /// The run over time; entries are samples.

@@ -72,6 +72,8 @@ struct HeatParameters {
   double oil_capacity = 5.0;        // [J/K]  of the oil in the bearing
 };
 
+inline constexpr described::Where where_heated{"heat.enabled", "true"};
+
 /// Rows that rollers at rest have too.
 inline auto heat_enabled_row(bool& on) {
   return described::input(
@@ -84,12 +86,15 @@ inline auto heat_model_row(HeatModel& model) {
   return described::input(
       model, "heat.model",
       "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
-      {.reason = "bearings lose heat by their seats too"});
+      {.reason = "bearings lose heat by their seats too", .where = where_heated});
 }
 inline auto heat_inlet_row(double& inlet) {
   using namespace described;
   return input(inlet, "heat.inlet", "temperature of the oil that flows in",
-               {.dimension = dimension::temperature, .range = {-60.0, 400.0}, .reason = "a tank's"});
+               {.dimension = dimension::temperature,
+                .range = {-60.0, 400.0},
+                .reason = "a tank's",
+                .where = where_heated});
 }
 
 template <class Visitor>
@@ -97,7 +102,8 @@ void describe(Visitor& visit, HeatParameters& m) {
   using namespace described;
   const auto row = [&](double& member, const char* path, const char* meaning, const Dimension& dimension,
                        Range range, const char* reason) {
-    return input(member, path, meaning, {.dimension = dimension, .range = range, .reason = reason});
+    return input(member, path, meaning,
+                 {.dimension = dimension, .range = range, .reason = reason, .where = where_heated});
   };
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit, heat_enabled_row(m.on), heat_model_row(m.model),

@@ -99,11 +99,11 @@ struct MixtureParameters {
 inline auto oil_flow_row(double& flow) {
   using namespace described;
   return field(flow, "lubricant.flow", Physics::motion,
-                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
-                {.models = ball_motion | roller_bearing,
-                 .dimension = dimension::flow,
-                 .range = {0.0, 1000.0},
-                 .reason = "grease, or a bath"});
+               "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
+               {.models = ball_motion | roller_bearing,
+                .dimension = dimension::flow,
+                .range = {0.0, 1000.0},
+                .reason = "grease, or a bath"});
 }
 
 template <class Visitor>

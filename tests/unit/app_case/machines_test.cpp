@@ -107,13 +107,16 @@ TEST(MachineOf, HoldsTheAlternativeThatAKeyChooses) {
 }
 
 TEST(MachineOf, HoldsTheAlternativeWhoseInputsAreStated) {
-  EXPECT_EQ(std::get<analysis::EllipseOfContact>(machine_of<analysis::SpinFilm>(read(film)).contact.shape).ellipticity,
+  EXPECT_EQ(std::get<analysis::EllipseOfContact>(machine_of<analysis::SpinFilm>(read(film)).contact.shape)
+                .ellipticity,
             3.0);
   std::string line = film;
   line.replace(line.find("ellipticity: 3"), 14, "length: 7 mm");
   const std::vector<std::string> solved{"film.solver=reynolds", "points=[[100 N, 2 m/s, 0 rad/s]]"};
   EXPECT_DOUBLE_EQ(
-      std::get<analysis::LineOfContact>(machine_of<analysis::SpinFilm>(read(line, solved)).contact.shape).length, 7e-3);
+      std::get<analysis::LineOfContact>(machine_of<analysis::SpinFilm>(read(line, solved)).contact.shape)
+          .length,
+      7e-3);
 }
 
 // Rows of a bearing, which other models share: those of a duplex pair alone.
@@ -186,8 +189,9 @@ TEST(MachineOf, HasWhatACaseStatesBySeveralInputs) {
 }
 
 TEST(MachineOf, LeavesOutTheCageOfAFullComplement) {
-  const std::vector<std::string> cage{"bearing.cage.inner_diameter=57 mm", "bearing.cage.outer_diameter=63 mm",
-                                      "bearing.cage.width=14 mm", "bearing.cage.density=7850 kg/m3"};
+  const std::vector<std::string> cage{"bearing.cage.inner_diameter=57 mm",
+                                      "bearing.cage.outer_diameter=63 mm", "bearing.cage.width=14 mm",
+                                      "bearing.cage.density=7850 kg/m3"};
   std::vector<std::string> full = cage;
   full.insert(full.end(), {"bearing.complement=full", "bearing.rollers=18"});
   EXPECT_GT(machine_of<analysis::RollerBearing>(read(rollers, cage)).motion.cage.width, 0.0);
@@ -195,12 +199,14 @@ TEST(MachineOf, LeavesOutTheCageOfAFullComplement) {
 }
 
 TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
-  EXPECT_THAT(refusal_of(duplex, {"spindle.inertia_x=0.2 kg.m2", "spindle.inertia_y=0.3 kg.m2"}),
-              HasSubstr("spindle.inertia_x: '0.2 kg.m2' together with spindle.diameter or spindle.density; one of "
-                        "both is required"));
-  EXPECT_THAT(refusal_of(pair, {"pair.kind=internal", "pair.driven_bore=31 mm"}),
-              HasSubstr("pair.driven_bore: an input of pair.kind: external, and here it is internal; a case without "
-                        "it, or pair.kind: external, is required"));
+  EXPECT_THAT(
+      refusal_of(duplex, {"spindle.inertia_x=0.2 kg.m2", "spindle.inertia_y=0.3 kg.m2"}),
+      HasSubstr("spindle.inertia_x: '0.2 kg.m2' together with spindle.diameter or spindle.density; one of "
+                "both is required"));
+  EXPECT_THAT(
+      refusal_of(pair, {"pair.kind=internal", "pair.driven_bore=31 mm"}),
+      HasSubstr("pair.driven_bore: an input of pair.kind: external, and here it is internal; a case without "
+                "it, or pair.kind: external, is required"));
   EXPECT_THAT(refusal_of(pair + "  ring_outside_ratio: 1.2\n"),
               AllOf(HasSubstr("case.yaml:8:23"), HasSubstr("an input of pair.kind: internal")));
   EXPECT_THAT(refusal_of(film, {"contact.length=3 mm"}), HasSubstr("together with contact."));
@@ -208,12 +214,14 @@ TEST(Alternatives, AnInputOfAnotherOneIsRefused) {
 
 TEST(Alternatives, OneOfThemIsRequired) {
   EXPECT_THAT(refusal_of(duplex, {"spindle.diameter=null"}),
-              AllOf(HasSubstr("spindle.diameter: missing"), HasSubstr("or spindle.inertia_x or spindle.inertia_y instead")));
+              AllOf(HasSubstr("spindle.diameter: missing"),
+                    HasSubstr("or spindle.inertia_x or spindle.inertia_y instead")));
   EXPECT_THAT(refusal_of(duplex, {"housing.mass=3 kg"}),
               AllOf(HasSubstr("housing.inertia: missing"), Not(HasSubstr("instead"))));
   std::string neither = film;
   neither.erase(neither.find("  ellipticity: 3\n"), 17);
-  EXPECT_THAT(refusal_of(neither), AllOf(HasSubstr("contact.ellipticity: missing"), HasSubstr("or contact.length instead")));
+  EXPECT_THAT(refusal_of(neither),
+              AllOf(HasSubstr("contact.ellipticity: missing"), HasSubstr("or contact.length instead")));
 }
 
 TEST(Alternatives, DefaultsAreThoseOfTheChosenOne) {
@@ -228,7 +236,17 @@ TEST(Alternatives, DefaultsAreThoseOfTheChosenOne) {
 }
 
 TEST(Machines, ArraysHaveAsManyValuesAsTheirMember) {
-  EXPECT_THAT(refusal_of(pair, {"pair.teeth=[20, 61, 30]"}), HasSubstr("pair.teeth: a list of 3; 2 values are required"));
+  EXPECT_THAT(refusal_of(pair, {"pair.teeth=[20, 61, 30]"}),
+              HasSubstr("pair.teeth: a list of 3; 2 values are required"));
+}
+
+// Rows that other models share name a model only where its machine has them.
+TEST(Machines, HoldAllInputsOfTheirModels) {
+  Machines::each([]<class Row>(Row, std::size_t) {
+    for (const Field* field : fields_of(Row::model))
+      EXPECT_TRUE(std::ranges::count(field->of_machines, Row::model, &std::pair<Model, Use>::first) == 1)
+          << field->path << " of " << model_name(Row::model);
+  });
 }
 
 TEST(Machines, AreReadAgainAsTheyWereWritten) {
@@ -242,8 +260,9 @@ TEST(Machines, AreReadAgainAsTheyWereWritten) {
 TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
   const MachineAnalysis* mesh = machine_analysis(described::gear_pair, "mesh");
   ASSERT_NE(mesh, nullptr);
-  EXPECT_THAT(paths_of<analysis::ElasticPair>(), AllOf(Contains("pair.bore"), Contains("pair.driven_bore"), Contains("pair.kind"),
-                                  Contains("material.poisson_ratio"), Not(Contains("material.density"))));
+  EXPECT_THAT(paths_of<analysis::ElasticPair>(),
+              AllOf(Contains("pair.bore"), Contains("pair.driven_bore"), Contains("pair.kind"),
+                    Contains("material.poisson_ratio"), Not(Contains("material.density"))));
   EXPECT_THAT(require_used(read(pair, {"material.density=7000 kg/m3"}), mesh->used),
               Contains(HasSubstr("material.density: 7000 kg/m3 has no effect on mesh")));
   EXPECT_THAT(require_used(read(pair, {"pair.driven_bore=31 mm"}), mesh->used), IsEmpty());
@@ -261,14 +280,16 @@ TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
   EXPECT_THAT(warnings_of(loss, modes), Contains(HasSubstr("used by run of a duplex pair")));
   EXPECT_THAT(warnings_of(loss, run), IsEmpty());
   EXPECT_THAT(require_used(read(duplex + "response: {loss_factor: 0.01}\n"), modes), IsEmpty());
-  const std::vector<std::string> linear{"linear.mass=9 kg"}, back{"linear.mass=9 kg", "arrangement=back-to-back"};
+  const std::vector<std::string> linear{"linear.mass=9 kg"},
+      back{"linear.mass=9 kg", "arrangement=back-to-back"};
   EXPECT_THAT(warnings_of(linear, run), IsEmpty());
   EXPECT_THAT(warnings_of(back, run),
               Contains("linear.mass: 9 kg has no effect: it counts only where arrangement is face-to-face or "
                        "tandem, and operation.shaft_speed is 0"));
   const std::string density = "material.density=7000 kg/m3", rotating = "operation.shaft_speed=900 rpm",
                     massless = "equilibrium.ball_inertia=false";
-  EXPECT_THAT(warnings_of({density}, run), Contains(HasSubstr("it counts only together with operation.shaft_speed")));
+  EXPECT_THAT(warnings_of({density}, run),
+              Contains(HasSubstr("it counts only together with operation.shaft_speed")));
   EXPECT_THAT(warnings_of({density, rotating}, run), IsEmpty());
   EXPECT_THAT(warnings_of({density, rotating, massless}, run), Contains(HasSubstr("material.density")));
   EXPECT_THAT(warnings_of({rotating, massless}, run), IsEmpty());  // hours of life follow from the speed
@@ -340,10 +361,12 @@ TEST(MachineAnalyses, RefuseWhatTheyCannotInclude) {
   const use::Analysis run = used_by(described::ball_motion, "run");
   EXPECT_THAT(require_used(read(balls_in_time), run), IsEmpty());
   EXPECT_THROW(require_used(read(balls_in_time, {"load.tilt=1 mrad"}), run), BadInput);
-  EXPECT_THAT(require_used(read(balls_in_time, {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s"}), run),
-              IsEmpty());  // of the cage's friction
-  EXPECT_THAT(require_used(read(balls_in_time, {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s",
-                                                "bearing.cage.pocket_friction=0", "bearing.cage.guide_land_diameter=0 mm"}),
+  EXPECT_THAT(
+      require_used(read(balls_in_time, {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s"}), run),
+      IsEmpty());  // of the cage's friction
+  EXPECT_THAT(require_used(read(balls_in_time,
+                                {"traction.law=ree-eyring", "traction.sliding_scale=0.2 m/s",
+                                 "bearing.cage.pocket_friction=0", "bearing.cage.guide_land_diameter=0 mm"}),
                            run),
               Contains(HasSubstr("traction.sliding_scale")));
 }
@@ -352,9 +375,11 @@ TEST(Machines, AreCheckedByParts) {
   const std::string of_oil = "lubricant.kinematic_viscosity: a viscosity without cleanliness";
   EXPECT_THAT(refusal_of(rollers, {"lubricant.kinematic_viscosity=20 mm2/s", "bearing.rollers=null"}),
               AllOf(HasSubstr("bearing.rollers: missing"), HasSubstr(of_oil)));
-  EXPECT_THAT(refusal_of(rollers, {"load.moment=2 N.m", "load.tilt=1 mrad"}), HasSubstr("load.tilt: a tilt together with"));
-  EXPECT_THAT(refusal_of(rollers, {"bearing.laminae=1", "load.moment=2 N.m"}),
-              HasSubstr("bearing.laminae: a single lamina, which holds no moment; at least 2 laminae are required"));
+  EXPECT_THAT(refusal_of(rollers, {"load.moment=2 N.m", "load.tilt=1 mrad"}),
+              HasSubstr("load.tilt: a tilt together with"));
+  EXPECT_THAT(
+      refusal_of(rollers, {"bearing.laminae=1", "load.moment=2 N.m"}),
+      HasSubstr("bearing.laminae: a single lamina, which holds no moment; at least 2 laminae are required"));
   EXPECT_THAT(refusal_of(rollers, {"lubricant.viscosity_40=68 mm2/s", "operation.shaft_speed=0 rpm"}),
               HasSubstr("lubricant.viscosity_40: a viscosity for rings that do not rotate"));
   EXPECT_THAT(refusal_of(balls_in_time, {"load.radial=0 N"}), HasSubstr("load.radial: no load"));
