@@ -199,7 +199,7 @@ struct PointRow : PointNumbers {
   double rim_ovality = kNone;           // [m]  largest less least displacement of the outer race by the rim
   double pressure_safety = kNone;       // [-]  S_0 by the largest pressure
   double power_loss = kNone;            // [W]  in all, in motion
-  std::optional<MotionNumbers> motion;  // losses without a cage, or with one, that do not exist: no number
+  std::optional<MotionNumbers> motion;  // losses in what a bearing lacks, as in its cage: no number
   UnlikeBearings unlike;
   double largest_bearing_tilt = kNone;   // [rad]
   double largest_bearing_share = kNone;  // [-]  of the load of a planet, over the mean of its bearings
