@@ -40,7 +40,7 @@ void check_order(CheckedCase& in, const char* path, const char* requirement, dou
 }
 
 void check_traction(CheckedCase& in) {
-  using bearing::motion::TractionLaw;
+  using bearing::TractionLaw;
   if (!has_all(in, {"bearing.rollers", "traction.law"})) return;
   const std::string stated = in.choice("traction.law");
   std::vector<std::string_view> of_rollers;
@@ -314,9 +314,9 @@ double planet_length(const ResolvedCase& in) {
 }
 
 bool takes_part_in_consistency(std::string_view path) {
-  return begins_with_one_of(path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.",
-                                   "housing.", "defect.", "signal.", "life.",
-                                   "lubricant.kinematic", "parallel_stage."}) ||
+  return begins_with_one_of(
+             path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.", "housing.",
+                    "defect.", "signal.", "life.", "lubricant.kinematic", "parallel_stage."}) ||
          is_one_of(path,
                    {"stiffness", "arrangement", "operation.shaft_speed", "operation.outer_speed",
                     "lubricant.grade", "lubricant.temperature", "lubricant.viscosity_index", "input.member"});

@@ -5,41 +5,23 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bearing/contact/traction_law.hpp"
 #include "bearing/parameters.hpp"
 
-namespace orbearing::bearing::motion {
+namespace orbearing::bearing {
 
-/// Friction in a race contact as a function of the sliding speed.
-enum class TractionLaw {
-  regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
-  limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
-                        // [BairWiner1979]
-  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls only
-};
-
-constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
-  return {{{TractionLaw::regularised_coulomb, "regularised-coulomb"},
-           {TractionLaw::limiting_shear, "limiting-shear"},
-           {TractionLaw::ree_eyring, "ree-eyring"}}};
-}
-
-/// Nature of a traction model; the checks, the inputs used and the equations follow from it.
-struct TractionNature {
-  bool of_rollers;  // rollers have it; balls have all
-  bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
-};
-
-constexpr TractionNature nature_of(TractionLaw law) {
-  switch (law) {
-    case TractionLaw::regularised_coulomb:
-      return {.of_rollers = true, .shears_oil = false};
-    case TractionLaw::limiting_shear:
-      return {.of_rollers = true, .shears_oil = true};
-    case TractionLaw::ree_eyring:
-      return {.of_rollers = false, .shears_oil = true};
+constexpr described::Names<TractionLaw, kTractionLaws> names_of(TractionLaw) {
+  described::Names<TractionLaw, kTractionLaws> names{};
+  for (int i = 0; i < kTractionLaws; ++i) {
+    const auto law = static_cast<TractionLaw>(i);
+    names[static_cast<std::size_t>(i)] = {law, nature_of(law).name};
   }
-  return {};
+  return names;
 }
+
+}  // namespace orbearing::bearing
+
+namespace orbearing::bearing::motion {
 
 /// Who carries the load of a race contact.
 enum class Lubrication {
@@ -125,7 +107,7 @@ struct RaceContactParameters {
   double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
   Starvation starvation = Starvation::none;
   double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
-  bool squeeze = false;  // squeeze film: oil resists the approach
+  bool squeeze = false;        // squeeze film: oil resists the approach
   Lubrication lubrication = Lubrication::full;
   double roughness = 0.2e-6;        // [m]  composite rms of roller and race
   double boundary_friction = 0.12;  // [-]  of asperities in contact
@@ -162,11 +144,13 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .reason = "creep of oiled contacts",
              .where = coulomb,
              .fmu = InFmu::parameter}),
-      field(m.sliding_share, "traction.sliding_share", Physics::motion,
-            "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
-            {.models = planetary_drivetrain,
-             .range = {0.0, 1.0},
-             .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % [JohnsonTevaarwerk1977]"}),
+      field(
+          m.sliding_share, "traction.sliding_share", Physics::motion,
+          "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
+          {.models = planetary_drivetrain,
+           .range = {0.0, 1.0},
+           .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % "
+                     "[JohnsonTevaarwerk1977]"}),
       field(m.limiting_friction, "traction.limiting_friction", Physics::motion,
             "limiting shear stress of the oil over pressure",
             {.models = in_time,
@@ -271,9 +255,9 @@ struct CageParameters {
   double pocket_friction = 0.05;  // [-]
   PocketFilm pocket_film = PocketFilm::none;
   double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film
-  double guide_diameter = 0.0;  // [m]    of the land; 0: no guidance
-  double land_width = 0.0;      // [m]    of one land; 0: what cage width and roller length leave at each side
-  int lands = 2;                // [-]
+  double guide_diameter = 0.0;       // [m]    of the land; 0: no guidance
+  double land_width = 0.0;  // [m]    of one land; 0: what cage width and roller length leave at each side
+  int lands = 2;            // [-]
   double largest_eccentricity = 0.98;  // [-]    of the land's clearance where roughness takes over
   double touch_down_stiffness = 1e7;   // [N/m]  Assumption
   double touch_down_damping = 1.0;     // [s/m]  Assumption
