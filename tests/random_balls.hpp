@@ -33,7 +33,8 @@ class RandomBalls {
     return drawn;
   }
 
-  /// Displaces and speeds up everything in `x` at random, `size` times micrometres and millimetres per second.
+  /// Displaces and speeds up everything in `x` at random, `size` times micrometres and millimetres per
+  /// second.
   void disturb(const BallNumbers& c, double size, std::vector<double>& x) {
     const StateLayout layout{c.balls};
     const int lanes = layout.lanes();
@@ -85,7 +86,7 @@ class RandomBalls {
   }
   MotionParameters parameters(const Bearing& b) {
     MotionParameters p;
-    p.race.traction = static_cast<motion::TractionLaw>(whole(0, 2));
+    p.race.traction = static_cast<TractionLaw>(whole(0, 2));
     p.cage.pocket_clearance = between(0.01, 0.04) * b.balls().diameter;
     if (b.balls().count % 2 == 1) p.cage.pocket_film = motion::PocketFilm::hydrodynamic;
     p.pocket.straight = whole(0, 1) == 0 ? 0.0 : between(0.0, 0.03) * b.balls().diameter;
@@ -107,7 +108,8 @@ class RandomBalls {
     const double radial = between(0.1, 1.0) * size,
                  axial = b.contact_angle() > 0.0 ? between(0.3, 2.0) * size : between(0.0, 0.1) * size;
     const double speed = between(0.1, 1.0) * 1e4 / (1e3 * b.pitch_diameter) * 3.0;
-    BallDuty duty{RingDrive::steady(speed), RingDrive::steady(whole(0, 1) == 0 ? 0.0 : between(-0.3, 0.3) * speed),
+    BallDuty duty{RingDrive::steady(speed),
+                  RingDrive::steady(whole(0, 1) == 0 ? 0.0 : between(-0.3, 0.3) * speed),
                   {{radial, 0.0, axial, 0.0, 0.0}},
                   {{-radial, 0.0, -axial, 0.0, 0.0}}};
     if (whole(0, 4) == 0) std::swap(duty.inner, duty.outer);

@@ -21,7 +21,7 @@ struct MotionDraw {
 inline std::ostream& operator<<(std::ostream& out, const MotionDraw& draw) {
   const auto& race = draw.parameters.race;
   return out << Draw{draw.bearing, draw.point, {}} << " in the approach " << race.film_in_approach
-             << ", limiting shear " << (race.traction == motion::TractionLaw::limiting_shear) << ", mixed "
+             << ", limiting shear " << (race.traction == TractionLaw::limiting_shear) << ", mixed "
              << (race.lubrication == motion::Lubrication::mixed) << ", waves "
              << draw.bearing.inner.form.size() << " and " << draw.bearing.outer.form.size()
              << ", unequal rollers " << draw.bearing.rollers().diameter_deviation.size() << ", land of "
@@ -116,7 +116,7 @@ class RandomMotion {
     parameters.lubricant = {decades(0.002, 0.3), between(1e-8, 2.5e-8)};
     parameters.race.film_in_approach = chance(0.5);
     chance(0.05);  // of a choice that is no more: each number stays the bearing that it was
-    if (chance(0.5)) parameters.race.traction = motion::TractionLaw::limiting_shear;
+    if (chance(0.5)) parameters.race.traction = TractionLaw::limiting_shear;
     if (chance(0.4)) parameters.race.lubrication = motion::Lubrication::mixed;
     parameters.race.roughness = decades(0.05e-6, 2e-6);
     parameters.race.damping = decades(0.01, 0.5);

@@ -40,7 +40,7 @@ void check_order(CheckedCase& in, const char* path, const char* requirement, dou
 }
 
 void check_traction(CheckedCase& in) {
-  using bearing::motion::TractionLaw;
+  using bearing::TractionLaw;
   if (!has_all(in, {"bearing.rollers", "traction.law"})) return;
   const std::string stated = in.choice("traction.law");
   std::vector<std::string_view> of_rollers;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "bearing/contact/pressed_oil.hpp"
+#include "bearing/contact/traction_law.hpp"
 
 namespace orbearing::bearing {
 
@@ -20,16 +21,9 @@ namespace orbearing::bearing {
 // packs and both with their slopes. A law gives friction: stress over pressure. No header of a library here:
 // files compiled for special instruction sets include it.
 
-/// Law of the shear of the oil between a ball and its race.
-enum class ShearLaw {
-  coulomb,         // friction coefficient, rounded at rest over a sliding speed
-  limiting_shear,  // Newtonian film up to a stress in proportion to the pressure [BairWiner1979]
-  ree_eyring,      // Ree-Eyring film up to the same limit [JohnsonTevaarwerk1977] [BairWiner1979]
-};
-
 /// Inputs of the laws.
 struct ShearParameters {
-  ShearLaw law = ShearLaw::ree_eyring;
+  TractionLaw law = TractionLaw::ree_eyring;
   double friction = 0.05;           // [-]    Coulomb's coefficient
   double sliding_scale = 0.1;       // [m/s]  over which it builds up
   double limiting_friction = 0.06;  // [-]    limiting stress over pressure
@@ -88,10 +82,16 @@ struct LimitedEyringShear {
 
 /// Gives `take` the selected law.
 template <class Take>
-auto with_shear_law(ShearLaw law, const Take& take) {
-  if (law == ShearLaw::coulomb) return take(CoulombShear{});
-  if (law == ShearLaw::limiting_shear) return take(LimitedNewtonianShear{});
-  return take(LimitedEyringShear{});
+auto with_shear_law(TractionLaw law, const Take& take) {
+  switch (law) {
+    case TractionLaw::regularised_coulomb:
+      return take(CoulombShear{});
+    case TractionLaw::limiting_shear:
+      return take(LimitedNewtonianShear{});
+    case TractionLaw::ree_eyring:
+      return take(LimitedEyringShear{});
+  }
+  __builtin_trap();  // no law has another value
 }
 
 /// Points of the ellipse at which friction is taken.
@@ -125,17 +125,17 @@ struct LoadedEllipse {
 /// Motion of the race relative to the ball in the middle of the contact.
 template <class Number>
 struct Sliding {
-  Number along, across;      // [m/s]
-  Number turn_along;         // [rad/s]  about the direction of rolling
-  Number turn_across;        // [rad/s]  rolling
-  Number spin;               // [rad/s]  about the normal
+  Number along, across;  // [m/s]
+  Number turn_along;     // [rad/s]  about the direction of rolling
+  Number turn_across;    // [rad/s]  rolling
+  Number spin;           // [rad/s]  about the normal
 };
 
 /// Friction on the ball; the opposite acts on the race at the same point.
 template <class Number>
 struct Traction {
-  Number along{}, across{};                     // [N]
-  Number turn_along{}, turn_across{}, spin{};   // [N m]
+  Number along{}, across{};                    // [N]
+  Number turn_along{}, turn_across{}, spin{};  // [N m]
 };
 
 /// Slopes of force along and across, moments of rolling and spin (rows) by sliding along and across, rolling
@@ -148,8 +148,8 @@ struct TractionSlopes {
 /// Calls `take(force, sliding)` for the friction at every point and its position.
 template <bool kSlopes, class Law, class Number>
 void add_traction(const Law&, const ShearParameters& shear, const EllipsePoints& points,
-                  const LoadedEllipse<Number>& ellipse, const Sliding<Number>& motion,
-                  Traction<Number>& sum, TractionSlopes<Number>& slopes) {
+                  const LoadedEllipse<Number>& ellipse, const Sliding<Number>& motion, Traction<Number>& sum,
+                  TractionSlopes<Number>& slopes) {
   using mechanics::inverse_root, mechanics::root;
   constexpr double kRest = 1e-7;  // [m/s]  rounds sliding at rest; far below any creep
   // The ball's surface at the rim of the ellipse is where it was before it was pressed, Eq. (11).

@@ -99,7 +99,7 @@ ElasticApproach<Number> elastic_approach(const Law& film, const Stiffness& log_s
   constexpr double kLeast = 1e-30;  // [m]
   constexpr double kSmall = 1e-14;  // of the elastic approach: round-off
   const auto film_at = [&](const auto& e, const auto& speed) {
-    return exponential(film.log_central(kLineExponent * logarithm(e) + log_stiffness, speed));
+    return exponential(film.log_central(LineLaw::log_load(logarithm(e), log_stiffness), speed));
   };
   const Number unloaded = exponential(film.log_unloaded(log_speed));
   const auto touching = approach + unloaded > Number{} + kLeast;

@@ -9,6 +9,7 @@
 #include "bearing/contact/film_law.hpp"
 #include "bearing/contact/inlet_heating.hpp"
 #include "bearing/contact/pressed_oil.hpp"
+#include "bearing/contact/traction_law.hpp"
 
 namespace orbearing::bearing {
 
@@ -229,9 +230,9 @@ struct InletHeatingScale {
 
 /// Selected laws.
 struct FrictionChoice {
-  bool limiting_shear = false;  // else Coulomb
-  bool roelands = false;        // else Barus, held at the largest exponent
-  bool mixed = false;           // asperities share load and friction with the film
+  TractionLaw traction = TractionLaw::regularised_coulomb;  // one that rollers have
+  bool roelands = false;                                    // else Barus, held at the largest exponent
+  bool mixed = false;  // asperities share load and friction with the film
   bool rolling_resistance = false;
   bool computed_rolling = false;  // else by regression
   bool inlet_heating = false;     // shear at the inlet lowers the rolling resistance
@@ -257,18 +258,18 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
 
   template <class Parameters, class Contact>
   static FrictionLaws of(const Parameters& given, const Contact& contact) {
-    using Traction = decltype(given.traction);
     using Lubrication = decltype(given.lubrication);
     using Rolling = decltype(given.rolling_law);
     using Heating = decltype(given.inlet_heating);
     using Pressed = decltype(given.pressure_law);
     const auto film = FilmLaw<Number>::of(contact);
     FrictionLaws laws;
-    laws.limiting_shear = given.traction == Traction::limiting_shear;
+    laws.traction = given.traction;
     laws.roelands = given.pressure_law == Pressed::roelands;
     laws.mixed = given.lubrication == Lubrication::mixed;
     laws.coulomb = CoulombFriction<Number>::of(given);
-    if (laws.limiting_shear) laws.shear = LimitingShear<Number>::of(given, contact, film);
+    if (laws.traction == TractionLaw::limiting_shear)
+      laws.shear = LimitingShear<Number>::of(given, contact, film);
     if (laws.mixed) laws.asperities = MixedFriction<Number>::of(given, film);
     laws.rolling = RollingResistance<Number>::of(contact);
     laws.computed_rolling = given.rolling_law == Rolling::reynolds;
@@ -285,7 +286,7 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   }
 
   /// Whether friction, or anything, needs the logarithms of load and entrainment speed.
-  bool oiled_friction() const { return limiting_shear || mixed; }
+  bool oiled_friction() const { return nature_of(traction).shears_oil || mixed; }
   bool oiled() const { return oiled_friction() || rolling_resistance; }
 
   /// Gives `take` the friction [N] on the roller, with the slopes of the selected law, at `load` [N]
@@ -303,10 +304,15 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
       else
         take(only(loaded, film_friction));
     };
-    if (limiting_shear)
-      finish(shear.force(contact, sliding, roelands));
-    else
-      finish(coulomb.force(contact.load, sliding));
+    switch (traction) {
+      case TractionLaw::regularised_coulomb:
+        return finish(coulomb.force(contact.load, sliding));
+      case TractionLaw::limiting_shear:
+        return finish(shear.force(contact, sliding, roelands));
+      case TractionLaw::ree_eyring:
+        break;
+    }
+    __builtin_trap();  // refused where the model of a bearing is made: rollers lack it
   }
   /// The same of plain numbers.
   template <mechanics::Fixed Value>

@@ -57,9 +57,10 @@ std::vector<double> lamina_drops(const profile::Profile& roller, const profile::
   return drops;
 }
 
-LaminaContact::LaminaContact(const LaminaLaw& law, double length, std::span<const double> drops,
+LaminaContact::LaminaContact(const LineContact& whole, double length, std::span<const double> drops,
                              mechanics::InstructionSet set)
-    : scale_(law.constant / static_cast<double>(drops.size())),
+    : whole_(whole),
+      scale_(whole.constant() / static_cast<double>(drops.size())),
       half_length_(0.5 * length),
       laminae_(static_cast<int>(drops.size())),
       padded_(padded(drops.size())),
@@ -77,7 +78,7 @@ LaminaForce LaminaContact::evaluate(double approach, double end_displacement) co
   if (approach + std::abs(end_displacement) <= least_drop_) return {};
   const vectorised::LaminaSums sums =
       kernel_->sums(position_.data(), drop_.data(), padded_, approach, end_displacement);
-  const double slope = LaminaLaw::exponent * scale_;
+  const double slope = LineLaw::slope(scale_);
   return {scale_ * sums.load, scale_ * sums.end_load, slope * sums.by_approach, slope * sums.mixed,
           slope * sums.by_end_displacement};
 }
@@ -100,8 +101,8 @@ Eigen::ArrayXd LaminaContact::loads(double approach, double end_displacement) co
 
 double LaminaContact::energy(double approach, double end_displacement) const {
   const Eigen::Map<const Eigen::ArrayXd> drop(drop_.data(), laminae_);
-  return (loads(approach, end_displacement) * (approach + end_displacement * positions() - drop)).sum() /
-         (LaminaLaw::exponent + 1.0);
+  return LineLaw::energy(loads(approach, end_displacement), approach + end_displacement * positions() - drop)
+      .sum();
 }
 
 // The load rises with its slope: from above, Newton's method falls to the root without passing it.
@@ -109,7 +110,7 @@ double approach_under(const LaminaContact& contact, double load) {
   if (!(load > 0.0)) return contact.least_drop();
   constexpr int most_steps = 60;
   constexpr double round_off = 1e-14;
-  double approach = contact.greatest_drop() + std::pow(load / contact.constant(), 1.0 / kLineExponent);
+  double approach = contact.greatest_drop() + contact.whole().approach(load);
   for (int step = 0; step < most_steps; ++step) {
     const LaminaForce now = contact.evaluate(approach, 0.0);
     const double less = (now.load - load) / now.by_approach;

@@ -13,22 +13,10 @@
 
 #include "bearing/contact/lamina_kernel.hpp"
 #include "bearing/contact/line_contact.hpp"
-#include "bearing/contact/line_law.hpp"
 #include "bearing/profile/profile.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::laminae {
-
-/// Load of a whole straight contact: constant approach^exponent.
-struct LaminaLaw {
-  static constexpr double exponent = kLineExponent;
-  double constant = 0.0;  // [N/m^(10/9)]
-};
-
-/// The law of one contact of the existing line contact, Palmgren's or the standard's.
-inline LaminaLaw lamina_law(const LineContact& contact) {
-  return {contact.constant()};
-}
 
 /// Middles of `n` equal laminae as fractions of half the length, -1 to 1, [ISO16281]: (2k - 1)/n - 1.
 std::vector<double> lamina_positions(int n);
@@ -49,9 +37,9 @@ struct LaminaForce {
 
 class LaminaContact {
  public:
-  /// `drops` [m], one for each lamina, are those of both bodies. Throws std::invalid_argument where there are
-  /// none, more than 1000, or one is not finite.
-  LaminaContact(const LaminaLaw& law, double length, std::span<const double> drops,
+  /// `whole`: the same contact uncut, straight. `drops` [m], one for each lamina, are those of both bodies.
+  /// Throws std::invalid_argument where there are none, more than 1000, or one is not finite.
+  LaminaContact(const LineContact& whole, double length, std::span<const double> drops,
                 mechanics::InstructionSet set = mechanics::best_instruction_set());
 
   /// At `approach` [m] in the middle and `end_displacement` [m] more at x = l/2.
@@ -64,8 +52,8 @@ class LaminaContact {
   void put_loads(double approach, double end_displacement, double* load) const;
 
   int laminae() const { return laminae_; }
-  /// c of the whole contact [N/m^(10/9)].
-  double constant() const { return scale_ * laminae_; }
+  /// The same contact uncut, straight.
+  const LineContact& whole() const { return whole_; }
   double half_length() const { return half_length_; }  // [m]
   /// Smallest drop [m]: below this approach and with no end displacement nothing touches.
   double least_drop() const { return least_drop_; }
@@ -75,6 +63,7 @@ class LaminaContact {
   Eigen::Map<const Eigen::ArrayXd> drops() const { return {drop_.data(), laminae_}; }  // [m]
 
  private:
+  LineContact whole_;
   double scale_;  // [N/m^(10/9)]  c/n
   double half_length_;
   double least_drop_;

@@ -1,6 +1,7 @@
 // Elastic line contact of a roller with one race: Q = K delta^(10/9).
 #pragma once
 
+#include "bearing/contact/line_law.hpp"
 #include "bearing/parameters.hpp"
 
 namespace orbearing::bearing {
@@ -8,6 +9,8 @@ namespace orbearing::bearing {
 /// One roller-to-race contact. Approaches are positive in contact; no tension.
 class LineContact {
  public:
+  static constexpr double kExponent = LineLaw::kExponent;  // of the load over the approach
+
   /// `stiffness` is K in [N/m^(10/9)].
   explicit LineContact(double stiffness);
 
@@ -18,13 +21,15 @@ class LineContact {
   /// d(approach)/d(load) [m/N] at load > 0.
   double compliance(double load) const;
   /// The same at a load > 0 whose elastic approach [m] is known.
-  static double compliance(double load, double approach);
+  static double compliance(double load, double approach) { return LineLaw::compliance(load, approach); }
   /// Tangent stiffness dQ/d(approach) [N/m].
   double stiffness(double approach) const;
   /// Stored energy [J].
   double energy(double approach) const;
   /// K [N/m^(10/9)].
   double constant() const { return stiffness_; }
+  /// The same contact by `ratio` times its load and its approach over `ratio`.
+  LineContact through_lever(double ratio) const;
 
  private:
   double stiffness_;      // [N/m^(10/9)]
@@ -39,5 +44,8 @@ double hertz_pressure(double load, double equivalent_radius, double length, cons
 /// of [Gai2025], or 2^(10/9) times c_L = 35948 l^(8/9) of [ISO16281], which holds for both contacts in
 /// series.
 LineContact roller_race_contact(ContactLaw law, double length);
+
+/// Both contacts of a roller, each `one` of them, as one between its races: each has half of the approach.
+LineContact both_in_series(const LineContact& one);
 
 }  // namespace orbearing::bearing

@@ -190,7 +190,7 @@ struct SqueezeFilm {
   template <class Elastic, class Load, class Gap, class Speed>
   auto share(const Elastic& elastic, const Load& load, const Gap& gap, const Speed& speed) const {
     return film_share(film.wedge(film.slenderness(gap), speed), load, gap, elastic, FilmLaw<Number>::kLoad,
-                      kLineApproachExponent);
+                      LineLaw::kApproachExponent);
   }
 
   /// Load (2) [N] at closing speed `closing` [m/s], with its sign, before it is cut together with the elastic

@@ -65,9 +65,8 @@ struct LawOf {
 
   PowerLaw operator()(const Balls&) const { return {equilibrium::BallRow(bearing).constant(), 1.5}; }
   PowerLaw operator()(const CylindricalRollers& rollers) const {
-    const double exponent = 10.0 / 9.0;
-    const LineContact one = roller_race_contact(bearing.contact_law, rollers.length);
-    return {one.constant() * std::pow(2.0, -exponent), exponent};
+    const LineContact both = both_in_series(roller_race_contact(bearing.contact_law, rollers.length));
+    return {both.constant(), LineContact::kExponent};
   }
 };
 

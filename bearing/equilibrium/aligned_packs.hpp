@@ -83,8 +83,8 @@ inline FacingRollers facing(const AlignedArray<RollerUnknown>& rollers, int coun
 inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) {
   Pack gap[2];
   for (int i = 0; i < 2; ++i)
-    gap[i] = larger(half_clearance + rough_power(absolute(two.inertial[i]) + 1e-200, kLineApproachExponent),
-                    Pack{});
+    gap[i] = larger(
+        half_clearance + rough_power(absolute(two.inertial[i]) + 1e-200, LineLaw::kApproachExponent), Pack{});
   const Pack scale = -1.0 / (two.e_x[0] * two.e_y[1] - two.e_x[1] * two.e_y[0]);
   return {scale * (gap[0] * two.e_y[1] - gap[1] * two.e_y[0]),
           scale * (gap[1] * two.e_x[0] - gap[0] * two.e_x[1])};
@@ -95,16 +95,16 @@ inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) 
 /// interference from the stiffness of all rollers.
 inline Pack rough_approach(const Pack& force, const Pack& gap, int count) {
   const double share = 1.0 / count;
-  const Pack centred = 2.0 * rough_power(4.08 * share * force, kLineApproachExponent);
+  const Pack centred = 2.0 * rough_power(4.08 * share * force, LineLaw::kApproachExponent);
   const Pack open = larger(gap, Pack{});
   Pack approach = centred;
   for (int i = 0; i < 2; ++i) {
     const Pack extent = 0.5 * approach / (approach + open);
     const Pack zone = root(extent) * (0.4139 - 0.134 * extent);
-    approach = centred * rough_power(0.2453 / larger(zone, spread(share)), kLineApproachExponent);
+    approach = centred * rough_power(0.2453 / larger(zone, spread(share)), LineLaw::kApproachExponent);
   }
   const Pack squeeze = larger(-0.5 * gap, spread(1e-200));
-  const Pack preloaded = 3.6 * share * force / rough_power(squeeze, 1.0 / 9);
+  const Pack preloaded = 3.6 * share * force / rough_power(squeeze, LineLaw::kExponent - 1.0);
   return select(gap > 0.0, approach, smaller(preloaded, centred));
 }
 
@@ -117,7 +117,8 @@ inline PlaneVector starting_displacement(const AlignedArray<RollerUnknown>& roll
   const Pack safe = larger(size, spread(1e-200));
   const PlaneVector d{force.x / safe, force.y / safe};
   const FacingRollers two = facing(rollers, count, d);
-  const Pack gap = half_clearance + rough_power(absolute(two.inertial[0]) + 1e-200, kLineApproachExponent);
+  const Pack gap =
+      half_clearance + rough_power(absolute(two.inertial[0]) + 1e-200, LineLaw::kApproachExponent);
   const Pack approach = rough_approach(safe, gap, count);
   const PlaneVector closed = closed_gaps(two, half_clearance);
   return {only(size > 0.0, closed.x + approach * d.x), only(size > 0.0, closed.y + approach * d.y)};
@@ -200,7 +201,7 @@ class AlignedContacts {
     Mask moving = sought;
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
       const LoadAndSlope now = contact(approach);
-      const Pack step = kLineApproachExponent * (now.load - load) / larger(now.root, spread(1e-200));
+      const Pack step = LineLaw::kApproachExponent * (now.load - load) / larger(now.root, spread(1e-200));
       moving = moving & (step > 1e-14 * approach);
       approach -= only(moving, step);
     }
@@ -288,7 +289,7 @@ inline void PackEquilibrium::place_rollers(const AlignedInput& input, int first)
   const Pack force = root(dot(load_, load_));
   scale_ = larger(force, largest);
   const Pack forces = larger(force + all, spread(1e-200));
-  reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, kLineApproachExponent);
+  reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, LineLaw::kApproachExponent);
 }
 
 inline void PackEquilibrium::start(const AlignedInput& input, int first) {
@@ -328,10 +329,10 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
   const Pack inverse = 1.0 / ((root_x + root_y) * (p + size + 1e-200));
   const Pack by_roots = inverse * (p + size + 1e-200);
   const Pack share_y = root_y * by_roots;
-  const Pack step = kLineApproachExponent * residual * by_roots;
+  const Pack step = LineLaw::kApproachExponent * residual * by_roots;
   const Mask squeezed = (approach > 0.0) & (x + step > 0.0);
   const Pack load = only(squeezed, larger(p + (1.0 - share_y) * residual, Pack{}));
-  const Pack stiffness = only(squeezed, kLineExponent * root_x * share_y);
+  const Pack stiffness = only(squeezed, LineLaw::slope(root_x) * share_y);
   const Pack outer = load + outward;
   sums.force.x += outer * roller.e_x;
   sums.force.y += outer * roller.e_y;

@@ -6,7 +6,6 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/least_approach.hpp"
-#include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
@@ -85,9 +84,7 @@ double side_of(const PlanetRows& rows, std::size_t bearing) {
 
 InclinedContacts::InclinedContacts(const LineContact& contact, double taper)
     : cosine_(std::cos(taper)),
-      lines_(RollerContacts{
-          {contact, Film()},
-          {LineContact(contact.constant() * std::pow(cosine_, kLineExponent + 1.0)), Film()}}) {}
+      lines_(RollerContacts{{contact, Film()}, {contact.through_lever(cosine_), Film()}}) {}
 
 InclinedContacts::InclinedContacts(const PointContact& inner, const PointContact& outer)
     : inner_(inner), outer_(outer) {}

@@ -10,7 +10,7 @@ namespace {
 
 LaminaContact contact_of(const Bearing& bearing, Race race) {
   const double length = bearing.rollers().length;
-  return {lamina_law(roller_race_contact(bearing.contact_law, length)), length, lamina_drops(bearing, race)};
+  return {roller_race_contact(bearing.contact_law, length), length, lamina_drops(bearing, race)};
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "bearing/contact/line_law.hpp"
+#include <type_traits>
 
 namespace orbearing::bearing {
 
@@ -14,6 +13,8 @@ constexpr double kRollerRoundOff = 4e-16;
 
 // A dry point contact in the words of RaceContact.
 struct PointRace {
+  static constexpr double kExponent = 1.5;  // of the load over the approach
+
   double constant;  // [N/m^1.5]
 
   double approach(double load) const { return std::pow(load / constant, 2.0 / 3.0); }
@@ -24,13 +25,6 @@ struct PointRace {
   double onset() const { return 0.0; }
   const PointRace& elastic() const { return *this; }
 };
-
-constexpr double load_exponent(const RaceContact&) {
-  return kLineExponent;
-}
-constexpr double load_exponent(const PointRace&) {
-  return 1.5;
-}
 
 // Sum of both geometric approaches at squeeze load s, which both contacts carry besides the inertial load.
 template <class Contact>
@@ -54,9 +48,10 @@ struct SqueezedRoller {
 // the film's cap is added to the approach.
 template <class Contact>
 double upper_bound(const SqueezedRoller<Contact>& roller, double approach) {
+  using Elastic = std::remove_cvref_t<decltype(roller.inner.elastic())>;
   const double dry_approach = approach - roller.inner.onset() - roller.outer.onset();
   const double per_contact = roller.inner.elastic().approach(1.0) + roller.outer.elastic().approach(1.0);
-  return std::pow(std::max(dry_approach, 0.0) / per_contact, load_exponent(roller.inner));
+  return std::pow(std::max(dry_approach, 0.0) / per_contact, Elastic::kExponent);
 }
 
 // Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load

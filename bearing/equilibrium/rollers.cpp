@@ -19,12 +19,6 @@ const CylindricalRollers& sound_rollers(const Bearing& bearing) {
   return rollers;
 }
 
-// c_L of both contacts in series.
-laminae::LaminaLaw series_law(const Bearing& bearing, double length) {
-  const LineContact one = roller_race_contact(bearing.contact_law, length);
-  return {one.constant() * std::pow(2.0, -laminae::LaminaLaw::exponent)};
-}
-
 // With the relief of both contacts at the middles of the laminae.
 laminae::LaminaContact contact_in_series(const Bearing& bearing) {
   const CylindricalRollers& rollers = sound_rollers(bearing);
@@ -34,7 +28,8 @@ laminae::LaminaContact contact_in_series(const Bearing& bearing) {
   std::vector<double> drops = drops_on(bearing.inner);
   const std::vector<double> outer = drops_on(bearing.outer);
   for (std::size_t k = 0; k < drops.size(); ++k) drops[k] += outer[k];
-  return {series_law(bearing, rollers.length), rollers.length, drops};
+  const LineContact both = both_in_series(roller_race_contact(bearing.contact_law, rollers.length));
+  return {both, rollers.length, drops};
 }
 
 }  // namespace
@@ -43,8 +38,7 @@ RollerRow::RollerRow(const Bearing& bearing)
     : material_(bearing.material),
       sharpest_radius_(0.5 * bearing.element_diameter() * (1.0 - slenderness(bearing))),
       contact_(contact_in_series(bearing)),
-      clearance_(bearing.radial_clearance),
-      constant_(series_law(bearing, bearing.rollers().length).constant) {
+      clearance_(bearing.radial_clearance) {
   const Eigen::ArrayXd angle = element_angles(bearing);
   cosine_ = angle.cos();
   sine_ = angle.sin();
@@ -66,8 +60,7 @@ Eigen::Matrix<double, 5, 2> RollerRow::moves(Eigen::Index roller) const {
 
 // Clearance and relief to be taken up, and twice the approach of a single loaded roller.
 double RollerRow::reach(double load) const {
-  const double elastic = std::pow(load / constant_, 1.0 / laminae::LaminaLaw::exponent);
-  return std::abs(clearance_) + contact_.greatest_drop() + 2.0 * elastic + 1e-6;
+  return std::abs(clearance_) + contact_.greatest_drop() + 2.0 * contact_.whole().approach(load) + 1e-6;
 }
 
 void RollerRow::add_forces(const RingPosition& position, RingImbalance& sum) const {

@@ -36,7 +36,6 @@ class RollerRow : public RingRow {
   double sharpest_radius_;          // [m]  equivalent, on the inner race: D (1 - gamma)/2
   laminae::LaminaContact contact_;  // c_L in all, drops of both contacts
   double clearance_;                // [m]  diametral
-  double constant_;                 // c_L of a whole roller
   Eigen::ArrayXd cosine_;           // (rollers)  of their angles
   Eigen::ArrayXd sine_;
 };

@@ -47,7 +47,7 @@ double lengths_at_hand(const TiltedRoller& roller, const RollerSetting& setting,
 
 // Elastic approach of a straight contact [m].
 double straight_approach(const LaminaContact& contact, double load) {
-  return load > 0.0 ? std::pow(load / contact.constant(), 1.0 / LaminaLaw::exponent) : 0.0;
+  return load > 0.0 ? contact.whole().approach(load) : 0.0;
 }
 
 // Rather too deep than not in contact: an untilted roller between the tilted races.

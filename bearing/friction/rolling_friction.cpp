@@ -247,7 +247,7 @@ RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingSta
   balls::MotionParameters given;
   given.lubricant = oil;
   heat_inlets(inlets.viscosity_slope, given.race);
-  given.race.traction = motion::TractionLaw::ree_eyring;
+  given.race.traction = TractionLaw::ree_eyring;
   given.ellipse.rolling = balls::BallRolling::reynolds;
   const balls::BallNumbers c = balls::ball_numbers(bearing, given);
   RollingFriction sum;

@@ -249,7 +249,7 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
 
 laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,
                                       const profile::Profile& race_profile) {
-  return {laminae::lamina_law(LineContact(race.stiffness)), rollers.length,
+  return {LineContact(race.stiffness), rollers.length,
           laminae::lamina_drops(rollers.profile, race_profile, rollers.length, rollers.laminae)};
 }
 

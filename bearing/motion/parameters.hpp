@@ -5,41 +5,23 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bearing/contact/traction_law.hpp"
 #include "bearing/parameters.hpp"
 
-namespace orbearing::bearing::motion {
+namespace orbearing::bearing {
 
-/// Friction in a race contact as a function of the sliding speed.
-enum class TractionLaw {
-  regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
-  limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
-                        // [BairWiner1979]
-  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls only
-};
-
-constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
-  return {{{TractionLaw::regularised_coulomb, "regularised-coulomb"},
-           {TractionLaw::limiting_shear, "limiting-shear"},
-           {TractionLaw::ree_eyring, "ree-eyring"}}};
-}
-
-/// Nature of a traction model; the checks, the inputs used and the equations follow from it.
-struct TractionNature {
-  bool of_rollers;  // rollers have it; balls have all
-  bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
-};
-
-constexpr TractionNature nature_of(TractionLaw law) {
-  switch (law) {
-    case TractionLaw::regularised_coulomb:
-      return {.of_rollers = true, .shears_oil = false};
-    case TractionLaw::limiting_shear:
-      return {.of_rollers = true, .shears_oil = true};
-    case TractionLaw::ree_eyring:
-      return {.of_rollers = false, .shears_oil = true};
+constexpr described::Names<TractionLaw, kTractionLaws> names_of(TractionLaw) {
+  described::Names<TractionLaw, kTractionLaws> names{};
+  for (int i = 0; i < kTractionLaws; ++i) {
+    const auto law = static_cast<TractionLaw>(i);
+    names[static_cast<std::size_t>(i)] = {law, nature_of(law).name};
   }
-  return {};
+  return names;
 }
+
+}  // namespace orbearing::bearing
+
+namespace orbearing::bearing::motion {
 
 /// Who carries the load of a race contact.
 enum class Lubrication {

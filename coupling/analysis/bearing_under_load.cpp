@@ -163,7 +163,7 @@ ElementSteps describe_row(Record& record, const BearingUnderLoad& study, const e
     tilt[j] = -std::atan(at[1] / row.lever());
   }
   record.value("c_L_N_per_mm_10_9", line_constant, "of both contacts in series",
-               contact.constant() * std::pow(kPerMetre, -bearing::kLineExponent));
+               contact.whole().constant() * std::pow(kPerMetre, -bearing::LineLaw::kExponent));
   record.array("lamina_places_mm", dimension::length, "from the middle", {"lamina"},
                (row.lever() * contact.positions()).eval());
   record.array("drops_um", dimension::small_length, "of both contacts: 2 P(x_k)", {"lamina"},

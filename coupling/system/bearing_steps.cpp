@@ -27,8 +27,8 @@ double damping_of_impact(const bearing::motion::RaceModel& race, double speed, d
   const double u = bearing::motion::entrainment_speed(speed, race.entrainment_scale);
   const double gap = std::max(std::exp(race.film_law.log_unloaded(std::log(u))), law.least);
   const double resistance = law.load(0.0, 0.0, gap, u, kSlow) / kSlow;
-  const double elastic = std::pow(kLoad / race.stiffness, bearing::kLineApproachExponent);
-  return resistance / (2.0 * std::sqrt(mass * kLoad / (bearing::kLineApproachExponent * elastic)));
+  const double compliance = bearing::LineContact(race.stiffness).compliance(kLoad);
+  return resistance / (2.0 * std::sqrt(mass / compliance));
 }
 
 // Time of the ring on its rollers, of which a quarter are loaded [s].

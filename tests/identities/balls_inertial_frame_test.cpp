@@ -140,8 +140,7 @@ class Seen {
     seen.velocity = {rate[0], rate[1], rate[2]};
     const Vector a = axis(position);
     seen.attitude =
-        (shortest_turn(Vector::UnitZ(), a) * Eigen::AngleAxisd(angle, Vector::UnitZ()))
-            .toRotationMatrix();
+        (shortest_turn(Vector::UnitZ(), a) * Eigen::AngleAxisd(angle, Vector::UnitZ())).toRotationMatrix();
     seen.attitude.col(2) = a;
     seen.rotating = a.cross(axis_rate(position, rate)) + spin * a;
     return seen;
@@ -205,9 +204,8 @@ class RandomStates {
   MotionParameters parameters(const Bearing& b, const Kind& kind) {
     MotionParameters p;
     p.race.damping = chance(0.2) ? 0.0 : decades(0.01, 2.0);
-    p.race.traction =
-        std::array{motion::TractionLaw::regularised_coulomb, motion::TractionLaw::limiting_shear,
-                   motion::TractionLaw::ree_eyring}[static_cast<std::size_t>(whole(0, 2))];
+    p.race.traction = std::array{TractionLaw::regularised_coulomb, TractionLaw::limiting_shear,
+                                 TractionLaw::ree_eyring}[static_cast<std::size_t>(whole(0, 2))];
     p.race.friction = between(0.01, 0.12);
     p.race.rolling_resistance = chance(0.7);
     p.lubricant = {decades(0.002, 0.2), between(1e-8, 2.5e-8)};
@@ -512,8 +510,7 @@ TEST(BallsInertialFrame, CountsTheCagesAngleAsItTurns) {
     const auto angle_after = [&](double time) {
       const double speed = cage.rotating.norm();
       const Matrix turned = Eigen::AngleAxisd(time * speed, cage.rotating / speed) * cage.attitude;
-      const Vector first =
-          shortest_turn(turned.col(2), Vector::UnitZ()) * turned.col(0);
+      const Vector first = shortest_turn(turned.col(2), Vector::UnitZ()) * turned.col(0);
       return std::atan2(first.y(), first.x());
     };
     const double step = 1e-4 / cage.rotating.norm();
@@ -596,7 +593,7 @@ Means implicit_run(BallBearing& model, std::vector<double> x, const Steps& run) 
 struct RunCase {
   const char* name;
   double contact_angle;  // [rad]
-  motion::TractionLaw law;
+  TractionLaw law;
   RingDrive inner, outer;
   Race guidance;
   motion::PocketFilm pockets;
@@ -654,12 +651,12 @@ TEST_P(BallsInertialRun, RunsAlike) {
 INSTANTIATE_TEST_SUITE_P(Courses, BallsInertialRun,
                          testing::Values(RunCase{"angular_contact",
                                                  0.4,
-                                                 motion::TractionLaw::regularised_coulomb,
+                                                 TractionLaw::regularised_coulomb,
                                                  RingDrive::steady(800.0),
                                                  {},
                                                  Race::outer,
                                                  motion::PocketFilm::none},
-                                         RunCase{"deep_groove", 0.0, motion::TractionLaw::ree_eyring,
+                                         RunCase{"deep_groove", 0.0, TractionLaw::ree_eyring,
                                                  RingDrive::steady(-200.0), RingDrive::steady(600.0),
                                                  Race::inner, motion::PocketFilm::hydrodynamic}),
                          [](const testing::TestParamInfo<RunCase>& run) { return run.param.name; });

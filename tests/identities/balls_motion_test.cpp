@@ -250,7 +250,7 @@ TEST(BallMotion, InstructionSetsAgree) {
 TEST(BallMotion, StepsAreOfSecondOrder) {
   RandomBalls random(5);
   DrawnBalls drawn = random.next();
-  drawn.parameters.race.traction = motion::TractionLaw::regularised_coulomb;
+  drawn.parameters.race.traction = TractionLaw::regularised_coulomb;
   drawn.parameters.cage.guide_diameter = 0.0;
   const BallNumbers numbers = ball_numbers(drawn.bearing, drawn.parameters);
   BallBearing model(numbers, drawn.duty);

@@ -69,7 +69,7 @@ void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::
       draw.bearing.rollers().diameter * draw.bearing.rollers().length * draw.bearing.rollers().count;
   out << n << ',' << draw.bearing.rollers().count << ',' << draw.bearing.rollers().diameter << ','
       << draw.bearing.radial_clearance << ',' << draw.pitch_speed << ',' << draw.point.bore_load.norm() / area
-      << ',' << race.film_in_approach << ',' << (race.traction == motion::TractionLaw::limiting_shear) << ','
+      << ',' << race.film_in_approach << ',' << (race.traction == TractionLaw::limiting_shear) << ','
       << (race.lubrication == motion::Lubrication::mixed) << ','
       << (draw.parameters.cage.guide_diameter > 0.0) << ',' << (draw.bearing.cage.guidance == Race::inner)
       << ',' << draw.bearing.inner.form.size() + draw.bearing.outer.form.size() << ','

@@ -14,8 +14,8 @@ using bearing::balls::GrooveNumbers;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kLeastLoad = 1e-6;      // [N]    added to what ellipse, film and friction see
-constexpr double kLeastSliding = 1e-7;   // [m/s]  rounds the size of the sliding at a point
+constexpr double kLeastLoad = 1e-6;       // [N]    added to what ellipse, film and friction see
+constexpr double kLeastSliding = 1e-7;    // [m/s]  rounds the size of the sliding at a point
 constexpr double kLeastRotating = 1e-12;  // [rad^2/s^2]
 
 Vector axis_of(const Body& body) {
@@ -55,13 +55,13 @@ Load load_of(double stiffness, double damping, double approach, double closing) 
 // Coefficient of friction at one point, by the size of the sliding there.
 double friction_coefficient(const bearing::ShearParameters& law, double sliding, double pressure,
                             double film) {
-  if (law.law == bearing::ShearLaw::coulomb)
+  if (law.law == bearing::TractionLaw::regularised_coulomb)
     return law.friction * sliding / std::hypot(sliding, law.sliding_scale);
   const double viscosity =
       law.viscosity * std::exp(std::min(law.pressure_viscosity * pressure, law.largest_exponent));
   const double limit = law.limiting_friction * pressure;  // [Pa]
   double stress = viscosity * sliding / film;
-  if (law.law == bearing::ShearLaw::ree_eyring)
+  if (law.law == bearing::TractionLaw::ree_eyring)
     stress = law.eyring_stress * std::asinh(stress / law.eyring_stress);
   return law.limiting_friction * -std::expm1(-stress / limit);
 }

@@ -18,24 +18,12 @@ using constants::pi;
 using constants::two_pi;
 using mechanics::require;
 
-ShearLaw shear_law(motion::TractionLaw law) {
-  switch (law) {
-    case motion::TractionLaw::regularised_coulomb:
-      return ShearLaw::coulomb;
-    case motion::TractionLaw::limiting_shear:
-      return ShearLaw::limiting_shear;
-    case motion::TractionLaw::ree_eyring:
-      return ShearLaw::ree_eyring;
-  }
-  return {};
-}
-
 constexpr double kLeastViscosity = 1e-5;  // [Pa s]  where there is no oil
 
 ShearParameters shear_parameters(const MotionParameters& given) {
   const motion::RaceContactParameters& race = given.race;
   return {
-      .law = shear_law(race.traction),
+      .law = race.traction,
       .friction = race.friction,
       .sliding_scale = race.sliding_scale,
       .limiting_friction = race.limiting_friction,

@@ -7,8 +7,8 @@
 #include "bearing/motion/balls/race_contact.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/block_arrow.hpp"
-#include "mechanics/packs/dual.hpp"
 #include "mechanics/packs/elementary.hpp"
+#include "mechanics/packs/register_dual.hpp"
 
 namespace orbearing::bearing::balls::ORBEARING_PACKS {
 
@@ -84,8 +84,6 @@ class PackEngine final : public Engine {
   }
 
  private:
-  using LandDual = Dual<5>;
-
   template <bool kSlopes, class Law>
   [[gnu::flatten, gnu::noinline]] void evaluate(const Law& law, const double* x, const Surroundings& now,
                                                 double* dx);
@@ -143,7 +141,7 @@ class PackEngine final : public Engine {
   AlignedArray<BallPack> linear_;
   AlignedArray<ElementBlock<kBallUnknowns, kShared>> block_;
   AlignedArray<Pack> inner_load_, outer_load_, pocket_, pocket_angle_;
-  LandDual land_[2][3];  // both lands: force x y, moment on the cage
+  RegisterDual land_[2][3];  // both lands: force x y, moment on the cage
   SharedBlock<kShared> shared_;
   double g_ = 0.0;  // [s]
 };
@@ -259,9 +257,10 @@ void PackEngine::evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on
     const LandOffset at = land_offset(cage, ring, position);
     double x = 0.0, y = 0.0, moment = 0.0;
     if constexpr (kSlopes) {
-      const auto variable = [&](int i) { return LandDual::variable(at.by[i], i); };
-      const LandForce<LandDual> force = c_.land.law.force(
-          LandMotion<LandDual>{variable(0), variable(1), variable(2), variable(3), variable(4)}, ring.spin);
+      const auto variable = [&](int i) { return register_variable(at.by[i], i); };
+      const LandForce<RegisterDual> force = c_.land.law.force(
+          LandMotion<RegisterDual>{variable(0), variable(1), variable(2), variable(3), variable(4)},
+          ring.spin);
       land_[side][0] = force.x;
       land_[side][1] = force.y;
       land_[side][2] = force.on_cage;

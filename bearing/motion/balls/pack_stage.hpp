@@ -18,7 +18,8 @@ struct Impedance {
   Pack by[kBallUnknowns][kBallUnknowns];
 };
 
-inline Impedance impedance(const ContactSlopes<Pack>& s, double g, const PocketFilmSlopes<Pack>* film = nullptr) {
+inline Impedance impedance(const ContactSlopes<Pack>& s, double g,
+                           const PocketFilmSlopes<Pack>* film = nullptr) {
   // In the axes (n, along, across) first, about the contact.
   Pack z[6][6]{};
   const Pack load = g * s.load_by_speed + (g * g) * s.load_by_approach;
@@ -125,8 +126,9 @@ inline void PackEngine::add_lands(double g) {
   for (int side = 0; side < 2; ++side) {
     const double position = side == 0 ? -c_.land.offset : c_.land.offset;
     for (int i = 0; i < 3; ++i) {
-      const LandDual& force = land_[side][i];
-      const double by[2] = {g * (force.by(2) + g * force.by(0)), g * (force.by(3) + g * force.by(1))};
+      const RegisterDual& force = land_[side][i];
+      const double by[2] = {g * (slope_by(force, 2) + g * slope_by(force, 0)),
+                            g * (slope_by(force, 3) + g * slope_by(force, 1))};
       for (int k = 0; k < 2; ++k) {
         const auto put = [&](int row, double row_share, int column, double share) {
           shared_.a[row][column] -= row_share * share * by[k];
@@ -149,7 +151,7 @@ inline void PackEngine::add_lands(double g) {
         into(ring + 3 + i, -position);
       }
     }
-    shared_.a[kCage + 5][kCage + 5] -= g * land_[side][2].by(4);
+    shared_.a[kCage + 5][kCage + 5] -= g * slope_by(land_[side][2], 4);
   }
 }
 
@@ -181,7 +183,7 @@ bool PackEngine::assemble(double g) {
   return shared_.factor(kEnd, kEnd);
 }
 
- inline bool PackEngine::factor(double g) {
+inline bool PackEngine::factor(double g) {
   return shared_end() > kOuter ? assemble<kShared>(g) : assemble<kOuter>(g);
 }
 
@@ -194,9 +196,9 @@ inline BallWrench<Pack> shifted(const ContactSlopes<Pack>& s, const Triple<Pack>
                          s.rotating_stiffness * across - s.per_load[2] * load};
   const Pack moment[3] = {-(s.per_load[3] * load), -(s.per_load[4] * load) - s.arm * force[2],
                           -(s.per_load[5] * load) + s.arm * force[1]};
-  return {scaled(force[0], s.axes.normal) + scaled(force[1], s.axes.along) + scaled(force[2], s.axes.across),
-          scaled(moment[0], s.axes.normal) + scaled(moment[1], s.axes.along) +
-              scaled(moment[2], s.axes.across)};
+  return {
+      scaled(force[0], s.axes.normal) + scaled(force[1], s.axes.along) + scaled(force[2], s.axes.across),
+      scaled(moment[0], s.axes.normal) + scaled(moment[1], s.axes.along) + scaled(moment[2], s.axes.across)};
 }
 
 /// Motion at the ball's centre of a body whose unknowns change by `by`.
@@ -230,7 +232,7 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
 }
 
 // k_place = b_place + g k_velocity, so that velocities see g (dw/dplace) b_place on their right-hand side.
- inline void PackEngine::solve(const double* rhs, double* k) const {
+inline void PackEngine::solve(const double* rhs, double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* inner = rhs + layout_.inner();
   const double* outer = rhs + layout_.outer();
@@ -255,7 +257,8 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
     add(at.outer, at.from_outer, outer, kRingUnknowns, b + kOuter);
     if (at.caged) {
       add(at.pocket, at.from_cage, cage, kCageUnknowns, b + kCage);
-      if (c_.pocket.film.present()) add_film(at, columns_of(at.ball, at.from_cage), cage, own, here, b + kCage, sum);
+      if (c_.pocket.film.present())
+        add_film(at, columns_of(at.ball, at.from_cage), cage, own, here, b + kCage, sum);
     }
     const Pack r[6] = {c_.mass * entry(rhs, 3, p) + sum.force.x,
                        c_.mass * at.ball.radius * entry(rhs, 4, p) + sum.force.y,
@@ -291,7 +294,7 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
       const double x = cage[0] - guide[0] + position * (cage[3] - guide[3]);
       const double y = cage[1] - guide[1] + position * (cage[4] - guide[4]);
       for (int i = 0; i < 3; ++i) {
-        const double force = g_ * (land_[side][i].by(0) * x + land_[side][i].by(1) * y);
+        const double force = g_ * (slope_by(land_[side][i], 0) * x + slope_by(land_[side][i], 1) * y);
         if (i == 2) {
           b[kCage + 5] += force;
           continue;

@@ -18,7 +18,7 @@ constexpr int kMostHalves = 12;
 constexpr double kLongest = 2e-5;  // [m]    of a step
 
 BallNumbers without_friction(BallNumbers c) {
-  c.shear.law = ShearLaw::coulomb;
+  c.shear.law = TractionLaw::regularised_coulomb;
   c.shear.friction = 0.0;
   c.inner.rolling_factor = c.outer.rolling_factor = 0.0;
   return c;

@@ -67,19 +67,19 @@ inline void set_film_powers(RaceNumbers<double>& c) {
   c.film_factor = mechanics::exponential(c.film_law.log_factor - Film::kLoad * c.log_stiffness);
   c.film_cap = mechanics::exponential(c.film_law.log_unloaded(0.0));
   c.film_cap_approach =
-      mechanics::exponential(kLineApproachExponent * (c.film_law.log_cap_load - c.log_stiffness));
+      mechanics::exponential(LineLaw::log_approach(c.film_law.log_cap_load, c.log_stiffness));
 }
 
 /// The contacts cut into laminae; see contact/lamina_races.hpp.
 struct LaminaConstants {
-  int count = 0;                       // 0: line contacts of straight rollers
-  const double* position = nullptr;    // (count)  -1 to 1
-  const double* inner_drop = nullptr;  // (count)  [m]
-  const double* outer_drop = nullptr;  // (count)  [m]
-  double bore_end_displacement_x = 0.0;             // [m]
-  double bore_end_displacement_y = 0.0;             // [m]
-  double resistance = 0.0;             // [N s/m]  against tilting
-  bool upright = true;                 // symmetric, and no roller ever tilts
+  int count = 0;                         // 0: line contacts of straight rollers
+  const double* position = nullptr;      // (count)  -1 to 1
+  const double* inner_drop = nullptr;    // (count)  [m]
+  const double* outer_drop = nullptr;    // (count)  [m]
+  double bore_end_displacement_x = 0.0;  // [m]
+  double bore_end_displacement_y = 0.0;  // [m]
+  double resistance = 0.0;               // [N s/m]  against tilting
+  bool upright = true;                   // symmetric, and no roller ever tilts
 };
 
 /// A wave of an elastic outer race as a body of the motion, equation (16) of bearing/motion/README.md.

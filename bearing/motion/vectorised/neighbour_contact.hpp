@@ -100,7 +100,7 @@ bool neighbour_contact(const NeighbourConstants& law, const Mask& present, const
     force.f_t = friction * n_r - load * n_t;
     force.moment = friction * arm;
     force.load = load;
-    force.energy = (1.0 / (1.0 + kLineExponent)) * elastic * approach;
+    force.energy = LineLaw::energy(elastic, approach);
     force.power = (elastic - load) * v_n + friction * sliding;
   };
   if constexpr (!WithSlopes) {
@@ -119,7 +119,7 @@ bool neighbour_contact(const NeighbourConstants& law, const Mask& present, const
       const Pack rubbed = by_load * of_load + by_sliding * of_sliding;
       return Rate{-of_load, rubbed, rubbed * arm};
     };
-    Rate apart = rate((-kLineExponent) * stiffness * damped, -0.5 * (own.spin + other.spin));
+    Rate apart = rate(-LineLaw::slope(stiffness) * damped, -0.5 * (own.spin + other.spin));
     apart.moment += 0.5 * friction.value;
     Rate across = rate(-by_closing * v_t * inverse, -v_n * inverse);
     across.normal -= friction.value * inverse;

@@ -6,7 +6,7 @@
 #include "bearing/motion/vectorised/pocket_contact.hpp"
 #include "bearing/motion/vectorised/roller_chain.hpp"
 #include "mechanics/packs/block_arrow.hpp"
-#include "mechanics/packs/dual.hpp"
+#include "mechanics/packs/register_dual.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
@@ -157,7 +157,6 @@ class PackEngine final : public Engine {
 
  private:
   static constexpr int kEndDisplacement = 5;  // group of the end displacements in the state
-  using GuidanceDual = Dual<5>;               // by offset x y, velocity x y, cage speed
 
   // The code of a full complement is compiled separately, so that bearings with a cage do not carry it: their
   // right-hand side would take a tenth longer.
@@ -241,9 +240,9 @@ class PackEngine final : public Engine {
   RingBlock rings_;
   SharedInverse<kRingUnknowns> inverse_;  // of rings_, after factor()
   double g_ = 0.0;
-  bool rotating_ = false;  // the rotation of the bore is in the factors
-  GuidanceDual land_x_, land_y_, land_moment_;
-  double bore_x_ = 0.0, bore_y_ = 0.0;  // [m]  at the last linearisation
+  bool rotating_ = false;                       // the rotation of the bore is in the factors
+  RegisterDual land_x_, land_y_, land_moment_;  // by offset x y, velocity x y, cage speed
+  double bore_x_ = 0.0, bore_y_ = 0.0;          // [m]  at the last linearisation
   double cage_speed_ = 0.0;
   double cage_cosine_ = 1.0;
   double cage_sine_ = 0.0;

@@ -20,9 +20,9 @@ LandForce<double> PackEngine::evaluate_land(const double* x) {
   const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
                             cage[5]};
   if constexpr (WithSlopes) {
-    const auto variable = [&](int index) { return GuidanceDual::variable(offset[index], index); };
-    const LandForce<GuidanceDual> force = c_.land.law.force(
-        LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)},
+    const auto variable = [&](int index) { return register_variable(offset[index], index); };
+    const LandForce<RegisterDual> force = c_.land.law.force(
+        LandMotion<RegisterDual>{variable(0), variable(1), variable(2), variable(3), variable(4)},
         land_speed);
     land_x_ = force.x;
     land_y_ = force.y;

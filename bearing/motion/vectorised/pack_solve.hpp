@@ -134,9 +134,9 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
   const double turn = c_.frame.centrifugal, late = c_.frame.euler;
   double land[3]{};
   const double* guide = c_.land.on_bore ? bore : pin;
-  const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
+  const RegisterDual* force[3] = {&land_x_, &land_y_, &land_moment_};
   for (int i = 0; i < 3 && c_.land.present; ++i)
-    land[i] = force[i]->by(0) * (cage[0] - guide[0]) + force[i]->by(1) * (cage[1] - guide[1]);
+    land[i] = slope_by(*force[i], 0) * (cage[0] - guide[0]) + slope_by(*force[i], 1) * (cage[1] - guide[1]);
   const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
   b[0] = of_rollers[0] + pin[2] - on_pin_mass * (on_pin * land[0] + c_.support_stiffness * pin[0]) +
          g * (turn * pin[0] + late * pin[1]);
@@ -329,14 +329,14 @@ inline BoreSlopes PackEngine::bore_slopes() const {
     add(at.outer.by_velocity, velocity);
   }
   BoreSlopes slopes;
-  const GuidanceDual* land[2] = {&land_x_, &land_y_};
+  const RegisterDual* land[2] = {&land_x_, &land_y_};
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 2; ++k) {
       slopes.by_position[i][k] = sum(position[i][k]);
       slopes.by_velocity[i][k] = sum(velocity[i][k]);
       if (!c_.land.present || !c_.land.on_bore) continue;
-      slopes.by_position[i][k] += land[i]->by(k);
-      slopes.by_velocity[i][k] += land[i]->by(2 + k);
+      slopes.by_position[i][k] += slope_by(*land[i], k);
+      slopes.by_velocity[i][k] += slope_by(*land[i], 2 + k);
     }
   return slopes;
 }

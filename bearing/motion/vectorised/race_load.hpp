@@ -128,12 +128,12 @@ PackApproach power_film_approach(const RacePair& race, const PackPair& approach,
   using Film = FilmLaw<NumberPair>;
   // Powers of the entrainment speed by its 29th root: cap ~ u^(19/29), its approach ~ u^(9/29), factor ~
   // u^0.7.
-  constexpr double m = Film::kLoad * kLineExponent;
+  constexpr double m = Film::kLoad * LineLaw::kExponent;
   constexpr double kOff = 1e-14;
   static_assert(m - 13.0 / 90.0 < kOff && 13.0 / 90.0 - m < kOff);
   static_assert(Film::kCapSpeed - 19.0 / 29.0 < kOff && 19.0 / 29.0 - Film::kCapSpeed < kOff);
-  static_assert(kLineApproachExponent * Film::kCapLoadSpeed - 9.0 / 29.0 < kOff &&
-                9.0 / 29.0 - kLineApproachExponent * Film::kCapLoadSpeed < kOff);
+  static_assert(LineLaw::kApproachExponent * Film::kCapLoadSpeed - 9.0 / 29.0 < kOff &&
+                9.0 / 29.0 - LineLaw::kApproachExponent * Film::kCapLoadSpeed < kOff);
   const PackPair root29 = exponential(log_speed * (1.0 / 29.0));
   const PackPair p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
   const PackPair cap = race.film_cap * (p8 * p8 * p2 * root29);
@@ -180,7 +180,7 @@ struct LoadSlope {
 inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
   const PackPairMask touching = e.value > 0.0;
   const PackPair stiffness = only(touching, race.stiffness * e.ninth);
-  return {stiffness * e.value, kLineExponent * stiffness};
+  return {stiffness * e.value, LineLaw::slope(stiffness)};
 }
 
 // Loads of contacts that are cut into laminae: motion/lamina_races.hpp, one roller a lane.
@@ -254,7 +254,7 @@ inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const 
   const NumberPair share = race.stiffness * (1.0 / laminae.count);
   if (laminae.upright) {
     const LaminaPackSums sums = upright_sums(laminae, e.value);
-    return {share * sums.load, kLineExponent * share * sums.by_approach};
+    return {share * sums.load, LineLaw::slope(share) * sums.by_approach};
   }
   const Pack outer_end_displacement =
       laminae.bore_end_displacement_x * cosine + laminae.bore_end_displacement_y * sine;
@@ -262,13 +262,13 @@ inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const 
       tilted_sums(laminae, e.value, end_displacements(approaches.end_displacement, outer_end_displacement));
   const NumberPair per_resistance = share * (1.0 / laminae.resistance);
   const PackPair moment = per_resistance * sums.end_load;
-  const PackPair by_end_displacement = kLineExponent * per_resistance * sums.by_end_displacement;
-  const PackPair mixed = kLineExponent * per_resistance * sums.mixed * e.by_approach;
+  const PackPair by_end_displacement = LineLaw::slope(per_resistance) * sums.by_end_displacement;
+  const PackPair mixed = LineLaw::slope(per_resistance) * sums.mixed * e.by_approach;
   approaches.rate = moment.low - moment.high;
   approaches.by_end_displacement = -(by_end_displacement.low + by_end_displacement.high);
   approaches.by_inner = mixed.low;
   approaches.by_outer = -mixed.high;
-  return {share * sums.load, kLineExponent * share * sums.by_approach};
+  return {share * sums.load, LineLaw::slope(share) * sums.by_approach};
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -222,11 +222,12 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
   if (!c_.land.present) return;
   const int land = c_.land.on_bore ? kBore : kPin;
   const double land_mass = c_.land.on_bore ? c_.bore_mass : c_.pin_mass;
-  const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
+  const RegisterDual* force[3] = {&land_x_, &land_y_, &land_moment_};
   const double cage_scale[3] = {-g / c_.cage_mass, -g / c_.cage_mass, -g / c_.cage_inertia};
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
-      const double slope = k < 2 ? g * force[i]->by(k) + force[i]->by(2 + k) : force[i]->by(4);
+      const double slope =
+          k < 2 ? g * slope_by(*force[i], k) + slope_by(*force[i], 2 + k) : slope_by(*force[i], 4);
       rings.a[kCage + i][kCage + k] += cage_scale[i] * slope;
       if (k < 2) rings.a[kCage + i][land + k] -= cage_scale[i] * slope;
       if (i < 2) rings.a[land + i][kCage + k] += g / land_mass * slope;

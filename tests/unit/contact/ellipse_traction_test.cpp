@@ -13,7 +13,7 @@ namespace {
 constexpr double kLoad = 400.0, kAcross = 0.9e-3, kAlong = 0.12e-3, kBall = 10e-3;
 
 ShearParameters coulomb(double friction = 0.07) {
-  return {.law = ShearLaw::coulomb, .friction = friction, .sliding_scale = 1e-9};
+  return {.law = TractionLaw::regularised_coulomb, .friction = friction, .sliding_scale = 1e-9};
 }
 LoadedEllipse<double> ellipse(double across = kAcross, double curvature = 1.0 / 5.1e-3) {
   return {kLoad, across, kAlong, 1.5 * kLoad / (3.141592653589793 * across * kAlong), 1e7, curvature, kBall};
@@ -42,8 +42,8 @@ TEST(EllipseTraction, SharesOfTheLoadAddUpAndHaveHertzMoments) {
 }
 
 TEST(EllipseTraction, PureCreepIsCoulombsFriction) {
-  const Traction<double> t =
-      traction(CoulombShear{}, coulomb(), ellipse_points(9, 1), ellipse(kAcross, 0.0), {.along = 0.3, .across = -0.4});
+  const Traction<double> t = traction(CoulombShear{}, coulomb(), ellipse_points(9, 1), ellipse(kAcross, 0.0),
+                                      {.along = 0.3, .across = -0.4});
   EXPECT_NEAR(t.along, 0.07 * kLoad * 0.6, 1e-7);
   EXPECT_NEAR(t.across, -0.07 * kLoad * 0.8, 1e-7);
 }
@@ -53,7 +53,8 @@ TEST(EllipseTraction, PureSpinIsTheMomentOfSlidingFriction) {
   const double e = std::sqrt(1.0 - kAlong * kAlong / (kAcross * kAcross));
   const double exact = 0.375 * 0.07 * kLoad * kAcross * boost::math::ellint_2(e);
   const auto spin = [&](int slices, int rows) {
-    return traction(CoulombShear{}, coulomb(), ellipse_points(slices, rows), ellipse(), {.spin = 3000.0}).spin;
+    return traction(CoulombShear{}, coulomb(), ellipse_points(slices, rows), ellipse(), {.spin = 3000.0})
+        .spin;
   };
   EXPECT_NEAR(spin(32, 8) / exact, 1.0, 2e-3);
   EXPECT_LT(std::abs(spin(32, 8) / exact - 1.0), 0.2 * std::abs(spin(8, 2) / exact - 1.0));
@@ -67,7 +68,8 @@ TEST(EllipseTraction, HeathcoteSlipOfABallInAGrooveOfItsOwnRadius) {
   const LoadedEllipse<double> contact = ellipse(kAcross, 1.0 / radius);
   const double rolling = 200.0;  // [rad/s]
   const auto force = [&](double along) {
-    return traction(CoulombShear{}, coulomb(), points, contact, {.along = along, .turn_across = rolling}).along;
+    return traction(CoulombShear{}, coulomb(), points, contact, {.along = along, .turn_across = rolling})
+        .along;
   };
   std::uintmax_t most = 200;
   const auto [low, high] = boost::math::tools::bisect(
@@ -83,7 +85,8 @@ TEST(EllipseTraction, HeathcoteSlipOfABallInAGrooveOfItsOwnRadius) {
 TEST(EllipseTraction, ThreeWaysOfMovingMakeTheLawsEnergyFallAlways) {
   const EllipsePoints points = ellipse_points(7, 2);
   const ShearParameters oil{.limiting_friction = 0.06, .viscosity = 0.02, .pressure_viscosity = 1.8e-8};
-  for (const Sliding<double>& m : {Sliding<double>{0.01, -0.02, 5.0, 900.0, 300.0}, {-0.3, 0.0, 0.0, -2000.0, 50.0}}) {
+  for (const Sliding<double>& m :
+       {Sliding<double>{0.01, -0.02, 5.0, 900.0, 300.0}, {-0.3, 0.0, 0.0, -2000.0, 50.0}}) {
     const auto power = [&](const Traction<double>& t) {
       return t.along * m.along + t.across * m.across + t.turn_along * m.turn_along +
              t.turn_across * m.turn_across + t.spin * m.spin;
@@ -97,10 +100,8 @@ template <class Law>
 void expect_slopes(const Law& law, const ShearParameters& shear) {
   const EllipsePoints points = ellipse_points(7, 2);
   const double at[4] = {0.013, -0.007, 1500.0, 400.0}, step[4] = {1e-6, 1e-6, 1e-2, 1e-2};
-  const auto sliding = [](const double (&v)[4]) {
-    return Sliding<double>{v[0], v[1], 0.0, v[2], v[3]};
-  };
-  const auto forces = [&](const double (&v)[4]) {
+  const auto sliding = [](const double(&v)[4]) { return Sliding<double>{v[0], v[1], 0.0, v[2], v[3]}; };
+  const auto forces = [&](const double(&v)[4]) {
     const Traction<double> t = traction(law, shear, points, ellipse(), sliding(v));
     return std::array{t.along, t.across, t.turn_across, t.spin};
   };
@@ -137,7 +138,8 @@ TEST(EllipseTraction, LawsMeetTheirLimits) {
   EXPECT_NEAR(LimitedNewtonianShear::friction(p, oil, fast), 0.06, 1e-9);
   // Between: the stress of Ree and Eyring, led to its limit.
   const double stress = 5e6 * std::asinh(oil.viscosity * 0.05 * oil.per_film / 5e6);
-  EXPECT_NEAR(LimitedEyringShear::friction(p, oil, 0.05), 0.06 * (1.0 - std::exp(-stress / (0.06 * 5e8))), 1e-12);
+  EXPECT_NEAR(LimitedEyringShear::friction(p, oil, 0.05), 0.06 * (1.0 - std::exp(-stress / (0.06 * 5e8))),
+              1e-12);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ void check_search(const Law& law) {
   for (const double speed : {0.01, 1.0, 40.0})
     for (double e = 1e-12; e < 1e-3; e *= 4.3) {
       const double u = std::log(speed);
-      const double film = std::exp(law.log_central(log_stiffness + kLineExponent * std::log(e), u));
+      const double film = std::exp(law.log_central(log_stiffness + LineLaw::kExponent * std::log(e), u));
       const double approach = e - film;
       const auto found = root(approach, u);
       EXPECT_NEAR(found.value, e, kRoundOff * (e + film)) << e << " m, " << speed << " m/s";
@@ -152,7 +152,7 @@ TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
     if (any.value.low.low[0] <= 0.0) continue;
     // A slope near the crossing of both films is that of either.
     const double e_cap =
-        std::exp(kLineApproachExponent * (law.log_cap_load + law.kCapLoadSpeed * u - log_stiffness));
+        std::exp(LineLaw::kApproachExponent * (law.log_cap_load + law.kCapLoadSpeed * u - log_stiffness));
     if (std::abs(any.value.low.low[0] / e_cap - 1.0) < 1e-9) continue;
     const double loss = size / any.value.low.low[0];  // digits of the elastic approach cancelled in e - h
     same(powers.by_approach, any.by_approach, loss, "by approach");

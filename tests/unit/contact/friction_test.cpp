@@ -11,7 +11,6 @@ namespace {
 using motion::Lubrication;
 using motion::RaceContactParameters;
 using motion::RollingLaw;
-using motion::TractionLaw;
 
 constexpr double kRoundOff = 1e-13;
 constexpr double kCurvature =

@@ -53,6 +53,37 @@ TEST(LineContact, StiffnessIsTheSlopeOfTheLoad) {
   }
 }
 
+// The law by the secant stiffness, as packs have it, gives the same numbers.
+TEST(LineContact, IsTheLawByItsSecantStiffness) {
+  const LineContact contact = roller_race_contact(ContactLaw::palmgren, 5.7e-3);
+  const double log_constant = std::log(contact.constant());
+  for (double approach = 1e-9; approach < 1e-3; approach *= 10.0) {
+    const double load = contact.load(approach), stiffness = contact.stiffness(approach);
+    EXPECT_NEAR(LineLaw::slope(load / approach), stiffness, stiffness * kRoundOff);
+    EXPECT_NEAR(LineLaw::compliance(load, approach) * stiffness, 1.0, kRoundOff);
+    const double step = 1e-5 * approach;
+    const double slope = (contact.energy(approach + step) - contact.energy(approach - step)) / (2.0 * step);
+    EXPECT_NEAR(load, slope, slope * kDifferenceError);
+    const double log_load = LineLaw::log_load(std::log(approach), log_constant);
+    EXPECT_NEAR(std::exp(log_load), load, load * 100.0 * kRoundOff);  // logarithms of some 20
+    EXPECT_NEAR(std::exp(LineLaw::log_approach(log_load, log_constant)), approach,
+                approach * 100.0 * kRoundOff);
+  }
+}
+
+TEST(LineContact, BothInSeriesShareTheApproach) {
+  const LineContact one = roller_race_contact(ContactLaw::iso16281, 5.7e-3);
+  EXPECT_NEAR(both_in_series(one).load(2e-6), one.load(1e-6), one.load(1e-6) * kRoundOff);
+}
+
+// Same work on both sides of the lever.
+TEST(LineContact, ThroughALeverItsLoadGrowsAsItsApproachFalls) {
+  const LineContact one = roller_race_contact(ContactLaw::palmgren, 5.7e-3);
+  constexpr double kRatio = 0.8;
+  const LineContact through = one.through_lever(kRatio);
+  EXPECT_NEAR(through.load(1e-6 / kRatio), one.load(1e-6) * kRatio, one.load(1e-6) * kRoundOff);
+}
+
 TEST(LineContact, NeverPulls) {
   const LineContact contact = roller_race_contact(ContactLaw::palmgren, 5.7e-3);
   for (const double gap : {0.0, -1e-9, -1.0}) {

@@ -18,7 +18,7 @@ constexpr double kLength = 5.7e-3;
 const LineContact line = roller_race_contact(ContactLaw::palmgren, kLength);
 
 LaminaContact contact_with(double crown, int n = 40) {
-  return {lamina_law(line), kLength,
+  return {line, kLength,
           lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, n)};
 }
 
@@ -51,7 +51,7 @@ TEST(TiltedRoller, WithoutInertiaItsLaminaeCarryWhatTheStandardSays) {
   const LineContact one = roller_race_contact(ContactLaw::iso16281, kLength);
   const std::vector<double> drops =
       lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, 30);
-  const LaminaContact contact(lamina_law(one), kLength, drops);
+  const LaminaContact contact(one, kLength, drops);
   const Film dry;
   const RollerState state = settled({contact, contact, dry, dry}, {approach, 0.0, end_displacement, 0.0});
   const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_end_displacement);

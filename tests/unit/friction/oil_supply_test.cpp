@@ -182,7 +182,7 @@ TEST(PressedOil, IsRoelandsWithTheSlopeOfBarusAtNoPressure) {
 TEST(PressedOil, FrictionOfAFilmFollowsTheLawThatIsAskedFor) {
   const FilmContact contact = contact_of(example_bearings::planet_bearing());
   motion::RaceContactParameters race;
-  race.traction = motion::TractionLaw::limiting_shear;
+  race.traction = TractionLaw::limiting_shear;
   race.least_sliding_scale = 0.0;
   const double load = 2000.0, sliding = 1e-20, log_speed = std::log(5.0);
   const double pressure =

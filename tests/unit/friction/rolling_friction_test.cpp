@@ -101,7 +101,7 @@ TEST(BallFriction, IsThatOfTheMotionInTimeAtPureRolling) {
   const RingSpeeds speeds{20.0, 0.0};
   balls::MotionParameters given;
   given.lubricant = kOil;
-  given.race.traction = motion::TractionLaw::ree_eyring;
+  given.race.traction = TractionLaw::ree_eyring;
   given.ellipse.rolling = balls::BallRolling::reynolds;
   balls::BallDuty duty;
   duty.inner = balls::RingDrive::steady(speeds.inner);

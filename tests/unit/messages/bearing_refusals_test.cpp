@@ -80,7 +80,7 @@ TEST(BearingRefusals, BodiesAndScalesOfRollersInMotion) {
   EXPECT_ROLLERS_REFUSED("eccentricity", p.cage.largest_eccentricity = 1.0);
   EXPECT_ROLLERS_REFUSED("sliding scale", p.race.sliding_scale = 0.0);
   EXPECT_ROLLERS_REFUSED("entrainment scale", p.race.entrainment_scale = 0.0);
-  EXPECT_ROLLERS_REFUSED("traction model", p.race.traction = motion::TractionLaw::ree_eyring);
+  EXPECT_ROLLERS_REFUSED("traction model", p.race.traction = TractionLaw::ree_eyring);
   EXPECT_ROLLERS_REFUSED("speed ramp", p.driving.ramp = kNaN);
   EXPECT_ROLLERS_REFUSED("land clearance", p.cage.guide_diameter = 38e-3);
   EXPECT_ROLLERS_REFUSED("land width", b.cage.width = 5.6e-3);
@@ -118,7 +118,7 @@ TEST(BearingRefusals, BallsInMotion) {
   EXPECT_BALLS_REFUSED("one ball", b.balls().count = 1);
   EXPECT_BALLS_REFUSED("ball mass", b.material.density = 0.0);
   EXPECT_BALLS_REFUSED("balls cage mass", b.cage.density = 0.0);
-  EXPECT_BALLS_REFUSED("balls sheared oil", p.race.traction = motion::TractionLaw::limiting_shear;
+  EXPECT_BALLS_REFUSED("balls sheared oil", p.race.traction = TractionLaw::limiting_shear;
                        p.lubricant.viscosity = 0.0);
 }
 

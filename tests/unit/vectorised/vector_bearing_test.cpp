@@ -12,7 +12,6 @@ namespace {
 
 using motion::BearingModel;
 using motion::DynamicsParameters;
-using motion::TractionLaw;
 
 constexpr int kStates = 30;
 constexpr double kAgreement = 1e-10;  // of the largest rate of a kind: required; round-off gives about 1e-13
