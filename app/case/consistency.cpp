@@ -266,7 +266,6 @@ void check_one_set(CheckedCase& in) {
   check_traction(in);
   check_members(in);
   check_gears(in);
-  check_machine(in);
   check_error_lists(in);
   check_carrier_lists(in);
   check_roller_circle(in);
@@ -281,6 +280,7 @@ void check_one_set(CheckedCase& in) {
   check_refinements(in);
   check_profile(in);
   check_static_bearing(in);
+  check_machine(in);
   check_defect(in);
   if (in.model() == roller_bearing) check_whole_cage(in);
 }
