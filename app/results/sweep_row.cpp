@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/results/worst_bearing.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -145,7 +147,7 @@ void list(Columns& columns, const ManifestHeader& header, SweepRow& row) {
     columns.text(limiting_set_column, "of several sets, the one with the worst bearing",
                  row.point.limiting_set);
   for (std::size_t i = 0; i < header.sets.size(); ++i)
-    columns.within("sets." + header.sets[i] + ".", [&] { list(columns, row.point.sets[i]); });
+    columns.within(column_prefix(header.sets[i]), [&] { list(columns, row.point.sets[i]); });
   if (header.resonances) columns.part(row.resonance, [&](Resonance& resonance) { list(columns, resonance); });
 }
 

@@ -302,9 +302,8 @@ using Json = nlohmann::ordered_json;
 Json units_of_sweep(const ManifestHeader& header, const LifePeak& peak) {
   Json units = units_of(sweep_form(peak));
   for (const SweptAxis& axis : header.axes) units[axis.column] = axis.units;
-  const Json units_of_set = units_of(record_of(study::SetResult{}));  // outlives its items
-  for (const std::string& name : header.sets)
-    for (const auto& [column, unit] : units_of_set.items()) units["sets." + name + "." + column] = unit;
+  const ManifestHeader of_sets{.sets = header.sets};
+  units.update(units_of(record_of(of_sets, row_of_numbers({}, of_sets))));
   return units;
 }
 
