@@ -107,10 +107,9 @@ WholeRoller tapered_roller(const LineContact& contact, double taper) {
 RollerBalance balance_whole(const WholeElement& element, double inertial_load, double approach) {
   if (const auto* ball = std::get_if<WholeBall>(&element))
     return balance_ball(ball->inner, ball->outer, inertial_load, approach);
-  const WholeRoller& roller = std::get<WholeRoller>(element);
-  const double cosine = roller.taper_cosine;
-  RollerBalance both =
-      balance_roller(roller.contacts.inner, roller.contacts.outer, inertial_load, approach / cosine);
+  const auto& [contacts, cosine] = std::get<WholeRoller>(element);
+  if (cosine == 1.0) return balance_roller(contacts.inner, contacts.outer, inertial_load, approach);
+  RollerBalance both = balance_roller(contacts.inner, contacts.outer, inertial_load, approach / cosine);
   both.outer_load /= cosine;
   both.stiffness /= cosine * cosine;
   return both;

@@ -202,9 +202,9 @@ void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, R
 }
 
 void converge_element(const Element& element, const RollerSetting& setting, RollerState& state) {
-  if (const auto* cut = std::get_if<TiltedRoller>(&element)) return converge_roller(*cut, setting, state);
-  const RollerBalance whole =
-      balance_whole(std::get<WholeElement>(element), setting.inertial_load, setting.approach);
+  const auto* uncut = std::get_if<WholeElement>(&element);
+  if (!uncut) return converge_roller(std::get<TiltedRoller>(element), setting, state);
+  const RollerBalance whole = balance_whole(*uncut, setting.inertial_load, setting.approach);
   state.inner.load = whole.inner_load;
   state.outer.load = whole.outer_load;
   state.stiffness = whole.stiffness;
