@@ -19,12 +19,12 @@ namespace {
 
 using constants::two_pi;
 
-InclinedContacts contacts_of(const Bearing& bearing, double taper) {
+WholeElement contacts_of(const Bearing& bearing, double taper) {
   if (!bearing.has_rollers()) {
     const equilibrium::BallRow balls(bearing);
-    return {balls.contact(Race::inner), balls.contact(Race::outer)};
+    return WholeBall{balls.contact(Race::inner), balls.contact(Race::outer)};
   }
-  return {roller_race_contact(bearing.contact_law, bearing.rollers().length), taper};
+  return tapered_roller(roller_race_contact(bearing.contact_law, bearing.rollers().length), taper);
 }
 
 std::optional<LaminatedContacts> cut_of(const Bearing& bearing, const PlanetRows& rows) {
@@ -33,20 +33,21 @@ std::optional<LaminatedContacts> cut_of(const Bearing& bearing, const PlanetRows
   return LaminatedContacts{cut.contact(Race::inner), cut.contact(Race::outer)};
 }
 
-laminae::TiltedRoller roller_of(const InclinedRow& row) {
+laminae::Element element_of(const InclinedRow& row) {
   static const Film dry{};
-  return {row.cut->inner, row.cut->outer, dry, dry, std::cos(row.taper)};
+  if (!row.cut) return row.contacts;
+  return laminae::TiltedRoller{row.cut->inner, row.cut->outer, dry, dry, std::cos(row.taper)};
 }
 
 // Approach [m] at which a roller that nothing else moves carries `load` [N] on the outer race: Newton's
 // method on a load that grows ever faster, from above.
 double approach_under(const InclinedRow& row, double load) {
-  const double whole = row.contacts.approach(load);
+  const double whole = whole_approach(row.contacts, load);
   if (!row.cut || load == 0.0) return whole;
   double approach = whole + row.cut->inner.greatest_drop() + row.cut->outer.greatest_drop();
   laminae::RollerState state;
   for (int i = 0; i < 100; ++i) {
-    laminae::converge_roller(roller_of(row), {.approach = approach}, state);
+    laminae::converge_element(element_of(row), {.approach = approach}, state);
     const double step = (state.outer.load - load) / state.stiffness;
     approach -= step;
     if (std::abs(step) <= 1e-15 * whole) break;
@@ -81,28 +82,6 @@ double side_of(const PlanetRows& rows, std::size_t bearing) {
 }
 
 }  // namespace
-
-InclinedContacts::InclinedContacts(const LineContact& contact, double taper)
-    : cosine_(std::cos(taper)),
-      lines_(RollerContacts{{contact, Film()}, {contact.through_lever(cosine_), Film()}}) {}
-
-InclinedContacts::InclinedContacts(const PointContact& inner, const PointContact& outer)
-    : inner_(inner), outer_(outer) {}
-
-// Equilibrium of Eq. (18), with outer load and approach times and over the cosine of the taper.
-RollerBalance InclinedContacts::balance(double inertial_load, double approach) const {
-  if (!lines_) return balance_ball(*inner_, *outer_, inertial_load, approach);
-  RollerBalance both = balance_roller(lines_->inner, lines_->outer, inertial_load, approach / cosine_);
-  both.outer_load /= cosine_;
-  both.stiffness /= cosine_ * cosine_;
-  return both;
-}
-
-double InclinedContacts::approach(double outer_load) const {
-  if (!lines_) return std::pow(outer_load / in_series(*inner_, *outer_), 2.0 / 3.0);
-  const double scaled = cosine_ * outer_load;
-  return cosine_ * (lines_->inner.approach(scaled) + lines_->outer.approach(scaled));
-}
 
 double taper_of(double element_diameter, double pitch_diameter, double contact_angle) {
   const double ratio = element_diameter / pitch_diameter;
@@ -198,47 +177,44 @@ InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double an
   return all;
 }
 
-void InclinedPlanet::settle(const InclinedRow& row, double angle, const Position& position,
-                            laminae::RollerState& state) const {
-  const double approach = without_round_off(row.approach - moves(row, angle).dot(position),
-                                            std::abs(row.approach) + position.norm()),
-               inertial_load = along_inner_normal(row, angle);
-  if (!row.cut) return laminae::set_whole_contacts(row.contacts.balance(inertial_load, approach), state);
-  laminae::converge_roller(roller_of(row),
-                           {.approach = approach,
-                            .outer_end_displacement = tilts(row, angle).dot(position),
-                            .inertial_load = inertial_load},
-                           state);
+std::vector<laminae::RollerState> InclinedPlanet::elements() const {
+  std::size_t count = 0;
+  for (const InclinedRow& row : rows_) count += static_cast<std::size_t>(row.count);
+  return std::vector<laminae::RollerState>(count);
 }
 
-template <class Use>
-void InclinedPlanet::for_each(double first_element, const Use& use) const {
-  for (std::size_t k = 0; k < rows_.size(); ++k)
-    for (int j = 0; j < rows_[k].count; ++j) use(k, j, first_element + two_pi * j / rows_[k].count);
+SettlingRow<5> InclinedPlanet::row_at(const InclinedRow& row, double first_element,
+                                      std::span<laminae::RollerState> elements) const {
+  SettlingRow<5> at{.element = element_of(row),
+                    .concentric = Eigen::ArrayXd::Constant(row.count, row.approach),
+                    .inertial_load = Eigen::ArrayXd::Zero(row.count),
+                    .end_displacement = {},
+                    .outward = SettlingRow<5>::Moves::Zero(5, row.count),
+                    .tilting = SettlingRow<5>::Moves::Zero(5, row.cut ? row.count : 0),
+                    .rollers = elements};
+  for (int j = 0; j < row.count; ++j) {
+    const double angle = first_element + two_pi * j / row.count;
+    at.inertial_load[j] = along_inner_normal(row, angle);
+    at.outward.col(j) = moves(row, angle);
+    if (row.cut) at.tilting.col(j) = tilts(row, angle);
+  }
+  return at;
 }
 
-mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double first_element,
-                                               std::vector<laminae::RollerState>* rollers) const {
-  mechanics::Imbalance<5> sum;
-  std::size_t next = 0;
-  for_each(first_element, [&](std::size_t k, int, double angle) {
-    const InclinedRow& row = rows_[k];
-    const Position out = moves(row, angle);
-    laminae::RollerState fresh;
-    laminae::RollerState& state = rollers ? (*rollers)[next++] : fresh;
-    settle(row, angle, position, state);
-    sum.scale = std::max(sum.scale, state.outer.load);
-    if (!row.cut) {
-      sum.force += state.outer.load * out;
-      sum.stiffness += state.stiffness * out * out.transpose();
-      return;
-    }
-    Eigen::Matrix<double, 5, 2> ways;
-    ways << out, tilts(row, angle);
-    sum.force += ways * Eigen::Vector2d(state.outer.load, state.outer.end_load);
-    sum.stiffness += ways * laminae::roller_stiffness(state) * ways.transpose();
-  });
-  return sum;
+RingsOnRollers<5> InclinedPlanet::rings(double first_element,
+                                        std::span<laminae::RollerState> elements) const {
+  RingsOnRollers<5> all{Position::Zero(), Eigen::Matrix<double, 5, 5>::Zero(), Position::Zero(), 0.0, {}};
+  for (const InclinedRow& row : rows_) {
+    const auto count = static_cast<std::size_t>(row.count);
+    all.rows.push_back(row_at(row, first_element, elements.first(count)));
+    elements = elements.subspan(count);
+  }
+  return all;
+}
+
+mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double first_element) const {
+  std::vector<laminae::RollerState> of_elements = elements();
+  return rings(first_element, of_elements)(position);
 }
 
 namespace {
@@ -255,7 +231,7 @@ mechanics::SearchLimits search_limits_of(const InclinedPlanet& planet, double fo
   }
   double elastic = 0.0, sine = 1.0;
   for (const InclinedRow& row : planet.rows()) {
-    elastic = std::max(elastic, row.contacts.approach(all));
+    elastic = std::max(elastic, whole_approach(row.contacts, all));
     if (row.contact_angle > 0.0) sine = std::min(sine, std::sin(row.contact_angle));
   }
   return {.reach = (approach + elastic) / sine, .size = approach};
@@ -277,12 +253,13 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   outer << load.force, load.axial, load.moment / lever_;
   const Eigen::Array<bool, 5, 1> held(false, false, !axial_, !tilt_, !tilt_);
   InclinedState state;
-  for (const InclinedRow& row : rows_)
-    state.rollers.resize(state.rollers.size() + static_cast<std::size_t>(row.count));
+  state.rollers = elements();
+  const RingsOnRollers<5> on_rows = rings(first_element, state.rollers);
   const auto imbalance_at = [&](const Position& at) {
-    mechanics::Imbalance<5> sum = forces(at, first_element, &state.rollers);
+    mechanics::Imbalance<5> sum = on_rows(at);
     sum.force += outer;
-    sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
+    sum.scale = outer.cwiseAbs().maxCoeff();
+    for (const laminae::RollerState& one : state.rollers) sum.scale = std::max(sum.scale, one.outer.load);
     mechanics::hold<5>(held, sum);
     return sum;
   };
@@ -293,7 +270,7 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   else if (load.force.norm() > 0.0)  // into contact
     position.head<2>() =
         load.force.normalized() *
-        (limits.size + rows_.front().contacts.approach(load.force.norm() / rows_.front().count));
+        (limits.size + whole_approach(rows_.front().contacts, load.force.norm() / rows_.front().count));
   mechanics::Imbalance<5> now;
   state.report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   state.report.residual = mechanics::force_left(state.report.residual);
@@ -302,16 +279,15 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   state.axial = position[2];
   state.tilt = position.tail<2>() / lever_;
   state.stiffness = equilibrium::by_tilt(now.stiffness, lever_);
-  for (const InclinedRow& row : rows_) {
-    state.inner_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
-    state.outer_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
-  }
   std::size_t next = 0;
-  for_each(first_element, [&](std::size_t k, int j, double) {
-    const laminae::RollerState& roller = state.rollers[next++];
-    state.inner_load[k][j] = roller.inner.load;
-    state.outer_load[k][j] = roller.outer.load;
-  });
+  for (const InclinedRow& row : rows_) {
+    Eigen::ArrayXd& inner = state.inner_load.emplace_back(row.count);
+    Eigen::ArrayXd& on_outer = state.outer_load.emplace_back(row.count);
+    for (int j = 0; j < row.count; ++j, ++next) {
+      inner[j] = state.rollers[next].inner.load;
+      on_outer[j] = state.rollers[next].outer.load;
+    }
+  }
   if (state.report.converged && !laminae::are_settled(state.rollers)) {
     state.report.converged = false;
     state.report.message = no_balance_text(outer.norm(), state.report.residual);
@@ -327,18 +303,6 @@ double rib_load(const InclinedRow& row, double outer_load, double inertial_load)
   const double along =
       outer_load * std::sin(row.taper) + inertial_load * std::sin(row.contact_angle - row.taper);
   return std::max(0.0, along);
-}
-
-// Laminae of one roller at `angle` [rad].
-void put_laminae(const InclinedRow& row, const laminae::RollerState& roller, double angle, double part,
-                 Eigen::Index column, InclinedRowLoads& loads) {
-  loads.inner_lamina_load.col(column) =
-      row.cut->inner.loads(roller.inner_approach(), roller.inner_end_displacement);
-  loads.outer_lamina_load.col(column) =
-      row.cut->outer.loads(roller.outer_approach, roller.outer_end_displacement);
-  const double half = row.cut->outer.half_length();
-  loads.roller_tilt[column] = roller.end_displacement / half;
-  loads.moment += part * half * roller.outer.end_load * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
 void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::Index position,
@@ -360,7 +324,10 @@ void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::
           part * outer * std::cos(row.contact_angle) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       loads.axial += part * outer * std::sin(row.contact_angle);
       const laminae::RollerState& roller = state.rollers[next++];
-      if (row.cut) put_laminae(row, roller, angle, part, column, loads);
+      if (!row.cut) continue;
+      loads.put_laminae(row.cut->inner, row.cut->outer, roller, column);
+      loads.moment += part * row.cut->outer.half_length() * roller.outer.end_load *
+                      Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
   }
 }
@@ -375,14 +342,10 @@ InclinedResult inclined_planet_over_a_pitch(const InclinedPlanet& planet, const 
   InclinedResult result;
   result.angle = Eigen::ArrayXd::LinSpaced(all, 0.0, two_pi * (count - 1.0) / count);
   result.report.converged = true;
-  const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(all);
-  result.rows.assign(planet.rows().size(), {.inner_load = none, .outer_load = none, .rib_load = none});
-  for (std::size_t k = 0; k < result.rows.size(); ++k) {
-    if (!planet.rows()[k].cut) continue;
-    InclinedRowLoads& row = result.rows[k];
-    row.roller_tilt = none;
-    row.inner_lamina_load = row.outer_lamina_load =
-        Eigen::ArrayXXd::Zero(planet.rows()[k].cut->outer.laminae(), all);
+  for (const InclinedRow& row : planet.rows()) {
+    InclinedRowLoads& loads = result.rows.emplace_back();
+    loads.resize(row.cut ? row.cut->outer.laminae() : 0, all);
+    loads.rib_load = Eigen::ArrayXd::Zero(all);
   }
   std::optional<InclinedState> near;
   for (int position = 0; position < cage_positions; ++position) {

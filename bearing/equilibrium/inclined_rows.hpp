@@ -15,11 +15,14 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/contact/race_contact.hpp"
+#include "bearing/equilibrium/loads_by_position.hpp"
 #include "bearing/equilibrium/quasi_static_state.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/equilibrium/tilted_roller.hpp"
 #include "bearing/geometry.hpp"
@@ -30,28 +33,6 @@
 
 namespace orbearing::bearing {
 
-/// Both contacts of one element, by the approach of the races along the normal of the outer one.
-class InclinedContacts {
- public:
-  /// Rollers with `taper` [rad] between the normals of both races; 0: cylinders and symmetric barrels.
-  InclinedContacts(const LineContact& contact, double taper);
-  /// Balls.
-  InclinedContacts(const PointContact& inner, const PointContact& outer);
-
-  /// Outer load, inner load and d(outer load)/d(approach). `inertial_load` [N] acts along the inner normal,
-  /// outward positive. The rib of the inner ring holds tapered rollers along that ring's race.
-  RollerBalance balance(double inertial_load, double approach) const;
-  /// Approach [m] of an element without inertia at `outer_load` [N].
-  double approach(double outer_load) const;
-  double taper_cosine() const { return cosine_; }
-
- private:
-  double cosine_ = 1.0;  // [-]  of the taper
-  // Outer contact by load and approach over the cosine, so that both loads differ by the inertial load only.
-  std::optional<RollerContacts> lines_;
-  std::optional<PointContact> inner_, outer_;
-};
-
 /// Both contacts of a tapered roller cut into laminae, counted along the axis.
 struct LaminatedContacts {
   laminae::LaminaContact inner, outer;
@@ -59,7 +40,7 @@ struct LaminatedContacts {
 
 /// One row.
 struct InclinedRow {
-  InclinedContacts contacts;               // whole
+  WholeElement contacts;                   // whole
   std::optional<LaminatedContacts> cut{};  // what counts instead, where it is given
   int count = 0;
   double contact_angle = 0.0;    // [rad]  of the outer race
@@ -125,10 +106,8 @@ class InclinedPlanet {
   InclinedState balance(const PlanetLoad& load, double first_element,
                         const InclinedState* near = nullptr) const;
 
-  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: start and result of
-  /// their searches.
-  mechanics::Imbalance<5> forces(const Position& position, double first_element,
-                                 std::vector<laminae::RollerState>* rollers = nullptr) const;
+  /// Forces of the elements on the planet by its position, with their slopes.
+  mechanics::Imbalance<5> forces(const Position& position, double first_element) const;
 
   /// Inertial load of an element at `angle`, along the radius [N].
   double inertial_load(const InclinedRow& row, double angle) const;
@@ -136,11 +115,13 @@ class InclinedPlanet {
  private:
   Position moves(const InclinedRow& row, double angle) const;
   Position tilts(const InclinedRow& row, double angle) const;
-  void settle(const InclinedRow& row, double angle, const Position& position,
-              laminae::RollerState& state) const;
   double along_inner_normal(const InclinedRow& row, double angle) const;
-  template <class Use>
-  void for_each(double first_element, const Use& use) const;
+  std::vector<laminae::RollerState> elements() const;
+  SettlingRow<5> row_at(const InclinedRow& row, double first_element,
+                        std::span<laminae::RollerState> elements) const;
+  /// All rows by the coordinates of the planet, without a load. `elements` are start and result of their
+  /// searches.
+  RingsOnRollers<5> rings(double first_element, std::span<laminae::RollerState> elements) const;
 
   std::vector<InclinedRow> rows_;
   OperatingPoint point_;
@@ -150,16 +131,10 @@ class InclinedPlanet {
   bool tilt_ = false;
 };
 
-/// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and the mean load of
-/// the row on the planet.
-struct InclinedRowLoads {
-  Eigen::ArrayXd inner_load;  // [N]
-  Eigen::ArrayXd outer_load;  // [N]
-  Eigen::ArrayXd rib_load;    // [N]  of tapered rollers on the inner ring's rib
-  /// Contacts cut into laminae, else empty: [N] (laminae, positions), [rad] (positions) outward at the end
-  /// along +z
-  Eigen::ArrayXXd inner_lamina_load, outer_lamina_load;
-  Eigen::ArrayXd roller_tilt;
+/// Loads of one row over a pitch of cage angles, tilts outward at the end along +z, and the mean load of the
+/// row on the planet.
+struct InclinedRowLoads : LoadsByPosition {
+  Eigen::ArrayXd rib_load;                           // [N]  of tapered rollers on the inner ring's rib
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the laminae, conjugate to the planet's tilt
   Eigen::Vector2d radial = Eigen::Vector2d::Zero();  // [N]
   double axial = 0.0;                                // [N]  magnitude along the axis, induced by the angle

@@ -148,7 +148,8 @@ SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, con
     tilting.col(j).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
     tilting.col(j).segment<2>(pin_of(k) + 2) = -tilting.col(j).segment<2>(kTiltAt);
   }
-  SettlingRow<Eigen::Dynamic> row(races, free.all.transpose() * outward, rollers);
+  SettlingRow<Eigen::Dynamic> row =
+      bearing::row_of<Eigen::Dynamic>(races, free.all.transpose() * outward, rollers);
   row.tilting = free.all.transpose() * tilting;
   return row;
 }
@@ -179,6 +180,17 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
   }
   rings.scale = std::max({rings.load.head<2>().norm(), moment.norm() / lever, largest});
   return rings;
+}
+
+// The longest of all bearings, of the steps and of the lengths.
+mechanics::SearchLimits limits_of(const std::vector<RaceEquilibrium>& races) {
+  mechanics::SearchLimits all;
+  for (const RaceEquilibrium& of_bearing : races) {
+    const mechanics::SearchLimits one = search_limits(of_bearing);
+    all.reach = std::max(all.reach, one.reach);
+    all.size = std::max(all.size, one.size);
+  }
+  return all;
 }
 
 // Displacement of each bearing under its part of the load: start of the search.
@@ -256,7 +268,7 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
                               : start_of(races.front(), rings.rest);
   mechanics::Imbalance<Eigen::Dynamic> now;
   PlanetOnPinState state;
-  state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), found, now)};
+  state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, limits_of(races), found, now)};
   state.report.residual = mechanics::force_left(state.report.residual);
   const Eigen::VectorXd at = free.all * found;
   state.displacement = at.head<2>();

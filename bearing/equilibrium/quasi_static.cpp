@@ -137,11 +137,9 @@ QuasiStaticResult empty_result(const laminae::LaminaBearing& bearing, const Oper
   QuasiStaticResult result;
   result.angle =
       options.first_roller + Eigen::ArrayXd::LinSpaced(positions, 0.0, two_pi * (positions - 1) / positions);
-  for (Eigen::ArrayXd* array : {&result.inner_load, &result.outer_load}) array->resize(positions);
-  for (Eigen::ArrayXXd* array : {&result.inner_lamina_load, &result.outer_lamina_load})
-    array->resize(b.rollers().laminae, positions);
+  result.resize(b.rollers().laminae, positions);
   result.total_bore_load = total_bore_load(b, bearing.geometry(), point, options.inertia);
-  result.roller_tilt = result.race_form = Eigen::ArrayXd::Zero(positions);
+  result.race_form = Eigen::ArrayXd::Zero(positions);
   result.report.converged = true;
   return result;
 }
@@ -157,15 +155,9 @@ void put_position(const laminae::LaminaBearing& bearing, QuasiStaticState state,
     const Eigen::Index column = position + j * positions;
     result.inner_load[column] = state.inner_load[j];
     result.outer_load[column] = state.outer_load[j];
-    if (!bearing.is_cut()) continue;
-    const laminae::RollerState& roller = state.rollers[static_cast<std::size_t>(j)];
-    result.roller_tilt[column] = roller.end_displacement / bearing.half_length();
-    bearing.contact(Race::inner)
-        .put_loads(roller.inner_approach(), roller.inner_end_displacement,
-                   result.inner_lamina_load.col(column).data());
-    bearing.contact(Race::outer)
-        .put_loads(roller.outer_approach, roller.outer_end_displacement,
-                   result.outer_lamina_load.col(column).data());
+    if (bearing.is_cut())
+      result.put_laminae(bearing.contact(Race::inner), bearing.contact(Race::outer),
+                         state.rollers[static_cast<std::size_t>(j)], column);
   }
   result.states.push_back(std::move(state));
 }

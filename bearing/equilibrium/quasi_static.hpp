@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "bearing/equilibrium/loads_by_position.hpp"
 #include "bearing/equilibrium/quasi_static_state.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/geometry.hpp"
@@ -25,13 +26,8 @@ struct QuasiStaticOptions {
 
 /// Equilibria over one roller pitch of cage angles, gathered by position on the races. Arrays are over
 /// positions, evenly spaced from first_roller on.
-struct QuasiStaticResult {
+struct QuasiStaticResult : LoadsByPosition {
   Eigen::ArrayXd angle;                                    // [rad]
-  Eigen::ArrayXd inner_load;                               // [N]
-  Eigen::ArrayXd outer_load;                               // [N]
-  Eigen::ArrayXd roller_tilt;                              // [rad]  outward at positive x
-  Eigen::ArrayXXd inner_lamina_load;                       // [N]    (laminae, positions); whole: no laminae
-  Eigen::ArrayXXd outer_lamina_load;                       // [N]    (laminae, positions)
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    mean over the cage angles
   Eigen::ArrayXd race_form;                          // [m]  outward displacement of an elastic outer race,
                                                      //      mean over the cage angles

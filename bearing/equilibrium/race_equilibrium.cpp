@@ -7,7 +7,6 @@
 #include "bearing/contact/least_approach.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
-#include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/plane.hpp"
 #include "mechanics/force_left.hpp"
 
@@ -34,14 +33,10 @@ double lamina_reach(const RaceEquilibrium& problem) {
   return problem.cut ? 2.0 * largest_drop(*problem.cut) + problem.end_displacement.abs().maxCoeff() : 0.0;
 }
 
-void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, double end_displacement,
-            RollerState& roller) {
-  const auto& [inner, outer] = races.contacts;
-  if (races.cut)
-    return converge_roller(
-        {races.cut->contact(Race::inner), races.cut->contact(Race::outer), inner.film(), outer.film()},
-        {approach, 0.0, end_displacement, races.inertial_load[j]}, roller);
-  laminae::set_whole_contacts(balance_roller(inner, outer, races.inertial_load[j], approach), roller);
+laminae::Element element_of(const RaceEquilibrium& races) {
+  if (!races.cut) return WholeRoller{races.contacts};
+  return laminae::TiltedRoller{races.cut->contact(Race::inner), races.cut->contact(Race::outer),
+                               races.contacts.inner.film(), races.contacts.outer.film()};
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
@@ -61,7 +56,7 @@ QuasiStaticState solve_in(const RaceEquilibrium& problem, const QuasiStaticState
   if (near) position.tail(near->waves.size()) = near->waves;
   mechanics::Imbalance<N> now;
   QuasiStaticState state;
-  state.report = {mechanics::find_balance<N>(ring, ring.limits(), position, now)};
+  state.report = {mechanics::find_balance<N>(ring, search_limits(problem), position, now)};
   state.report.residual = mechanics::force_left(state.report.residual);
   state.displacement = position.template head<2>();
   state.waves = position.tail(position.size() - 2);
@@ -84,27 +79,38 @@ double RaceEquilibrium::force_scale() const {
 }
 
 template <int N>
-SettlingRow<N>::SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<RollerState>& states)
-    : races(&of), outward(std::move(outward_moves)), concentric(of.angle.size()), rollers(&states) {
+SettlingRow<N> row_of(const RaceEquilibrium& races, typename SettlingRow<N>::Moves outward,
+                      std::vector<RollerState>& rollers) {
+  Eigen::ArrayXd concentric(races.angle.size());
   for (Eigen::Index j = 0; j < concentric.size(); ++j)
-    concentric[j] = of.approach(j, Eigen::Vector2d::Zero());
+    concentric[j] = races.approach(j, Eigen::Vector2d::Zero());
+  return {element_of(races),
+          std::move(concentric),
+          races.inertial_load,
+          races.end_displacement,
+          std::move(outward),
+          {},
+          rollers};
 }
 
 template <int N>
 void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& position,
                          mechanics::Imbalance<N>& sum) const {
-  RollerState& roller = (*rollers)[static_cast<std::size_t>(j)];
+  RollerState& roller = rollers[static_cast<std::size_t>(j)];
   const auto out = outward.col(j);
-  const double stated = races->cut ? races->end_displacement[j] : 0.0;
-  const double approach =
-      without_round_off(concentric[j] - position.dot(out), std::abs(concentric[j]) + position.norm());
+  laminae::RollerSetting setting{
+      .approach =
+          without_round_off(concentric[j] - position.dot(out), std::abs(concentric[j]) + position.norm()),
+      .outer_end_displacement = end_displacement.size() == 0 ? 0.0 : end_displacement[j],
+      .inertial_load = inertial_load[j]};
   if (tilting.size() == 0) {
-    settle(*races, j, approach, stated, roller);
+    laminae::converge_element(element, setting, roller);
     sum.force += roller.outer.load * out;
     sum.stiffness += roller.stiffness * out * out.transpose();
     return;
   }
-  settle(*races, j, approach, stated + position.dot(tilting.col(j)), roller);
+  setting.outer_end_displacement += position.dot(tilting.col(j));
+  laminae::converge_element(element, setting, roller);
   const auto tilted = tilting.col(j);
   const Eigen::Matrix2d k = laminae::roller_stiffness(roller);
   sum.force += roller.outer.load * out + roller.outer.end_load * tilted;
@@ -119,17 +125,6 @@ mechanics::Imbalance<N> RingsOnRollers<N>::operator()(const Position& position) 
   for (const SettlingRow<N>& row : rows)
     for (Eigen::Index j = 0; j < row.concentric.size(); ++j) row.add(j, position, sum);
   return sum;
-}
-
-template <int N>
-mechanics::SearchLimits RingsOnRollers<N>::limits() const {
-  mechanics::SearchLimits all;
-  for (const SettlingRow<N>& row : rows) {
-    const mechanics::SearchLimits one = search_limits(*row.races);
-    all.reach = std::max(all.reach, one.reach);
-    all.size = std::max(all.size, one.size);
-  }
-  return all;
 }
 
 template <int N>
@@ -151,14 +146,18 @@ RingsOnRollers<N> ring_on_rollers(const RaceEquilibrium& races, std::vector<Roll
     ring.rest.tail(waves.size()) = waves_at_rest(races.outer_race);
   }
   ring.scale = races.force_scale();
-  ring.rows.emplace_back(races, std::move(outward), rollers);
+  ring.rows.push_back(row_of<N>(races, std::move(outward), rollers));
   return ring;
 }
 
 template struct SettlingRow<2>;
+template struct SettlingRow<5>;
 template struct SettlingRow<Eigen::Dynamic>;
 template struct RingsOnRollers<2>;
+template struct RingsOnRollers<5>;
 template struct RingsOnRollers<Eigen::Dynamic>;
+template SettlingRow<Eigen::Dynamic> row_of<Eigen::Dynamic>(const RaceEquilibrium&, Eigen::MatrixXd,
+                                                            std::vector<RollerState>&);
 template RingsOnRollers<2> ring_on_rollers<2>(const RaceEquilibrium&, std::vector<RollerState>&);
 template RingsOnRollers<Eigen::Dynamic> ring_on_rollers<Eigen::Dynamic>(const RaceEquilibrium&,
                                                                         std::vector<RollerState>&);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bearing/contact/race_contact.hpp"
@@ -37,22 +38,27 @@ struct RaceEquilibrium {
   double force_scale() const;
 };
 
-/// The rollers of one bearing, by the coordinates of the rings. N may be Eigen::Dynamic.
+/// One row of rolling elements, by the coordinates of the rings. N may be Eigen::Dynamic.
 template <int N>
 struct SettlingRow {
   using Moves = Eigen::Matrix<double, N, Eigen::Dynamic>;
 
-  SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<laminae::RollerState>& states);
-
-  /// Converges roller `j` with the rings at `position` and adds its forces on them.
+  /// Converges element `j` with the rings at `position` and adds its forces on them.
   void add(Eigen::Index j, const Eigen::Vector<double, N>& position, mechanics::Imbalance<N>& sum) const;
 
-  const RaceEquilibrium* races;
-  Moves outward;              // [-]  (coordinates, rollers)  how far each moves the outer race outward
-  Moves tilting;              // [-]  the same of its end beyond its middle; empty: the tilt is stated
-  Eigen::ArrayXd concentric;  // [m]  (rollers)  approach where all coordinates are zero
-  std::vector<laminae::RollerState>* rollers;  // start and result of their searches
+  laminae::Element element;         // what it refers to outlives the row
+  Eigen::ArrayXd concentric;        // [m]  (elements)  approach where all coordinates are zero
+  Eigen::ArrayXd inertial_load;     // [N]  (elements)  outward positive
+  Eigen::ArrayXd end_displacement;  // [m]  (elements)  stated, of the outer race; empty: none
+  Moves outward;                    // [-]  (coordinates, elements)  how far each moves the outer race outward
+  Moves tilting;  // [-]  the same of its end beyond its middle; empty: no coordinate tilts it
+  std::span<laminae::RollerState> rollers;  // start and result of their searches
 };
+
+/// The row of one cylindrical roller bearing. `races` and `rollers` outlive it.
+template <int N>
+SettlingRow<N> row_of(const RaceEquilibrium& races, typename SettlingRow<N>::Moves outward,
+                      std::vector<laminae::RollerState>& rollers);
 
 /// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (position - rest). A
 /// single rigid ring (N = 2) has no stiffness but its rollers'.
@@ -61,13 +67,12 @@ struct RingsOnRollers {
   using Position = Eigen::Vector<double, N>;
 
   mechanics::Imbalance<N> operator()(const Position& position) const;
-  mechanics::SearchLimits limits() const;
 
   Position load;                          // [N]
   Eigen::Matrix<double, N, N> stiffness;  // [N/m]  without rollers
   Position rest;                          // [m]
   double scale = 0.0;                     // [N]  the largest of the forces in equilibrium
-  std::vector<SettlingRow<N>> rows;       // (bearings)
+  std::vector<SettlingRow<N>> rows;
 };
 
 /// The outer ring of one bearing whose tilt is stated. Coordinates: displacement along x and y, then the
@@ -76,8 +81,10 @@ template <int N>
 RingsOnRollers<N> ring_on_rollers(const RaceEquilibrium& races, std::vector<laminae::RollerState>& rollers);
 
 extern template struct SettlingRow<2>;
+extern template struct SettlingRow<5>;
 extern template struct SettlingRow<Eigen::Dynamic>;
 extern template struct RingsOnRollers<2>;
+extern template struct RingsOnRollers<5>;
 extern template struct RingsOnRollers<Eigen::Dynamic>;
 
 /// Start of a search for the displacement of the races, with the rollers under the load in contact, and

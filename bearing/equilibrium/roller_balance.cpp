@@ -97,4 +97,31 @@ RollerBalance balance_ball(const PointContact& inner, const PointContact& outer,
   return balance_element(PointRace{inner.constant}, PointRace{outer.constant}, inertial_load, approach);
 }
 
+// The outer contact by load and approach over the cosine of the taper, so that both loads differ by the
+// inertial load only.
+WholeRoller tapered_roller(const LineContact& contact, double taper) {
+  const double cosine = std::cos(taper);
+  return {{{contact, Film()}, {contact.through_lever(cosine), Film()}}, cosine};
+}
+
+RollerBalance balance_whole(const WholeElement& element, double inertial_load, double approach) {
+  if (const auto* ball = std::get_if<WholeBall>(&element))
+    return balance_ball(ball->inner, ball->outer, inertial_load, approach);
+  const auto& [contacts, cosine] = std::get<WholeRoller>(element);
+  if (cosine == 1.0) return balance_roller(contacts.inner, contacts.outer, inertial_load, approach);
+  RollerBalance both = balance_roller(contacts.inner, contacts.outer, inertial_load, approach / cosine);
+  both.outer_load /= cosine;
+  both.stiffness /= cosine * cosine;
+  return both;
+}
+
+double whole_approach(const WholeElement& element, double outer_load) {
+  if (const auto* ball = std::get_if<WholeBall>(&element))
+    return std::pow(outer_load / in_series(ball->inner, ball->outer), 2.0 / 3.0);
+  const WholeRoller& roller = std::get<WholeRoller>(element);
+  const double scaled = roller.taper_cosine * outer_load;
+  return roller.taper_cosine *
+         (roller.contacts.inner.approach(scaled) + roller.contacts.outer.approach(scaled));
+}
+
 }  // namespace orbearing::bearing

@@ -187,13 +187,6 @@ Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
   return series;
 }
 
-void set_whole_contacts(const RollerBalance& whole, RollerState& state) {
-  state.inner.load = whole.inner_load;
-  state.outer.load = whole.outer_load;
-  state.stiffness = whole.stiffness;
-  state.settled = true;
-}
-
 void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const bool dry = roller.inner_film.cap() == 0.0 && roller.outer_film.cap() == 0.0;
   state.taper_cosine = roller.taper_cosine;
@@ -206,6 +199,16 @@ void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, R
   state.approach = setting.approach;
   state.inner_end_displacement = setting.inner_end_displacement - state.end_displacement;
   state.outer_end_displacement = state.end_displacement - setting.outer_end_displacement;
+}
+
+void converge_element(const Element& element, const RollerSetting& setting, RollerState& state) {
+  const auto* uncut = std::get_if<WholeElement>(&element);
+  if (!uncut) return converge_roller(std::get<TiltedRoller>(element), setting, state);
+  const RollerBalance whole = balance_whole(*uncut, setting.inertial_load, setting.approach);
+  state.inner.load = whole.inner_load;
+  state.outer.load = whole.outer_load;
+  state.stiffness = whole.stiffness;
+  state.settled = true;
 }
 
 }  // namespace orbearing::bearing::laminae

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <variant>
 
 #include "bearing/contact/lamina_contact.hpp"
 #include "bearing/contact/race_contact.hpp"
@@ -64,14 +65,17 @@ inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
   return stiffness;
 }
 
-/// Loads and stiffness of a roller on whole contacts, all that these have of a state.
-void set_whole_contacts(const RollerBalance& whole, RollerState& state);
-
 /// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i; of a tapered roller Q_o times
 /// the cosine of its taper. Slopes follow from the
 /// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
 /// points. A known `state` is where the search starts.
 void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);
+
+/// The law of an element in a row: whole contacts, or laminae.
+using Element = std::variant<WholeElement, TiltedRoller>;
+
+/// The same of any element; of whole contacts `state` has loads and stiffness only.
+void converge_element(const Element& element, const RollerSetting& setting, RollerState& state);
 
 /// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at
 /// x = l/2: README.md (13).

@@ -15,7 +15,7 @@ constexpr double kLength = 20e-3;  // [m]
 laminae::LaminaContact contact(double crown, int n) {
   const std::vector<double> drops =
       laminae::lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, n);
-  return {{1.2e10}, kLength, drops};
+  return {LineContact(1.2e10), kLength, drops};
 }
 
 TEST(LaminaRaces, StraightRollersHaveTheLoadsOfTheLineContact) {

@@ -167,7 +167,7 @@ laminae::LaminaContact contact(double crown, int n) {
   constexpr double kLength = 5.7e-3;  // [m]
   const std::vector<double> drops =
       laminae::lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, n);
-  return {{1.2e10}, kLength, drops};
+  return {LineContact(1.2e10), kLength, drops};
 }
 
 // Laminae with equal loads have the life of the whole contact, whatever their number.
