@@ -289,7 +289,7 @@ Premise<BallsInTime> is_heated() {
 // have the same limit.
 std::vector<Conditional<BallsInTime>> conditions_of_friction() {
   using In = BallsInTime;
-  using motion::TractionLaw;
+  using bearing::TractionLaw;
   return {{.keys = {"traction.sliding_scale"},
            .premises = {{.on = {"bearing.cage.pocket_friction"},
                          .holds = [](const In& in) { return moving(in).cage.pocket_friction != 0.0; }}},
