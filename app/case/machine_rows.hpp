@@ -58,7 +58,8 @@ using described::Model;
 
 struct PairOfGears {
   using Type = analysis::PairOfGears;
-  using Checked = RowsOf<Type>;  // each by its `problems`, where all of its required inputs are there
+  /// By their `problems`: one where all of its required inputs are there, several as far as they are.
+  using Checked = RowsOf<Type>;
   static constexpr Model model = described::gear_pair;
   static constexpr std::string_view prefix = "pair.";  // of what `check` derives
 };

@@ -109,12 +109,24 @@ bool is_whole(const ResolvedCase& in) {
   });
 }
 
+// Machines that are checked by several parts: each as far as its values are there.
+template <class Parts>
+inline constexpr bool are_several = false;
+template <class... Parts>
+inline constexpr bool are_several<RowsOf<Parts...>> = sizeof...(Parts) > 1;
+
+// A missing value is reported, and no more is said of it.
+bool is_missing(const ResolvedCase& in, const std::string& path) {
+  const Field* field = find_field(path);
+  return field != nullptr && is_required(in, *field) && !in.has(path);
+}
+
 template <class Row>
 void check_parts(CheckedCase& in) {
   Row::Checked::each([&]<class Part>(Part, std::size_t) {
-    if (!is_whole<Part>(in)) return;
+    if (!are_several<typename Row::Checked> && !is_whole<Part>(in)) return;
     for (const mechanics::Problem& problem : problems(machine_of<Part>(in, Missing::left_out)))
-      in.add_error(stated_path(in, problem.key), problem.text);
+      if (!is_missing(in, problem.key)) in.add_error(stated_path(in, problem.key), problem.text);
   });
 }
 

@@ -438,6 +438,7 @@ mechanics::Problems problems(const ViscosityRatio& machine) {
     return {{key,
              "a viscosity for rings that do not rotate; operation.shaft_speed is required, from which the "
              "viscosity ratio follows"}};
+  if (!(machine.pitch_diameter > 0.0)) return {};  // not known
   const double kappa = viscosity / rating::required_viscosity(speed, machine.pitch_diameter);
   if (kappa >= rating::kLeastViscosityRatio) return {};
   return {
