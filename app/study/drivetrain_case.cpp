@@ -14,9 +14,8 @@
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
 #include "coupling/analysis/single_bearing.hpp"
-#include "gearset/checks.hpp"
-#include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 
@@ -92,50 +91,37 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   return out;
 }
 
+std::vector<std::string> gear_warnings(const ResolvedCase& in) {
+  std::vector<std::string> texts;
+  if (in.shape().several) texts = analysis::idle_set_warnings(arrangement_of(in));
+  if (!in.shape().teeth) return texts;
+  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
+    for (const gearset::Warning& warning :
+         analysis::tooth_warnings(set_of(set), second_planet_of(set), stated_geometry(set)))
+      texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
+  };
+  if (!in.shape().several) add("", in);
+  for (const std::string& set : in.shape().sets) add(set_prefix(set), in.of_set(set));
+  return texts;
+}
+
 namespace {
 
-gearset::Warnings tooth_warnings_of(const ResolvedCase& set) {
-  if (has_planet_pairs(set)) return gearset::pair_tooth_warnings(set_of(set), second_planet_of(set));
-  return gearset::tooth_warnings(gearset::working_geometry(set_of(set)));
+std::vector<gearset::PlanetarySet> stated_teeth(const ResolvedCase& in) {
+  if (!in.shape().several) return {stated_set(in)};
+  std::vector<gearset::PlanetarySet> sets;
+  for (const std::string& set : in.shape().sets) sets.push_back(stated_set(in.of_set(set)));
+  return sets;
 }
 
 }  // namespace
 
-std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
-  std::vector<std::string> texts;
-  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
-    for (const gearset::Warning& warning : tooth_warnings_of(set))
-      texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
-    if (has_planet_pairs(set)) return;  // whose shifts are all stated
-    for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
-  };
-  if (resolved.shape().several) {
-    const gearset::Arrangement arrangement = arrangement_of(resolved);
-    for (const std::size_t set : gearset::idle_sets(gearset::power_flow(arrangement)))
-      texts.push_back(
-          fmt::format("sets.{}: idle. It transmits no torque between its shafts; its planet "
-                      "bearings carry the inertia of planets and rollers alone",
-                      arrangement.sets[set].name));
-  }
-  if (!resolved.shape().teeth) return texts;
-  if (!resolved.shape().several) add("", resolved);
-  for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
-  return texts;
+bool is_helical(const ResolvedCase& in) {
+  return std::ranges::any_of(stated_teeth(in), [](const auto& set) { return set.helix_angle != 0.0; });
 }
 
-bool is_helical(const ResolvedCase& resolved) {
-  const std::vector<Input> inputs = resolved.inputs();
-  return std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
-    return input.field->path == "gearset.helix_angle" && resolved.has(input.path) &&
-           resolved.quantity(input.path) != 0.0;
-  });
-}
-
-std::vector<std::string> planar_warnings(const ResolvedCase& resolved) {
-  if (!is_helical(resolved)) return {};
-  return {
-      "gearset.helix_angle: motion is that in the plane of the set; members are assumed fixed along their "
-      "axes and aligned. Axial and tilting vibration is left out"};
+std::vector<std::string> planar_warnings(const ResolvedCase& in) {
+  return is_helical(in) ? analysis::planar_warnings() : std::vector<std::string>{};
 }
 
 std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {

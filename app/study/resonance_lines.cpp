@@ -25,7 +25,7 @@ std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rp
   std::vector<Resonance> list;
   for (const diagnosis::Meeting& meeting :
        diagnosis::resonances(lowest_rpm * kRadiansPerSecond, highest_rpm * kRadiansPerSecond, set, modes_at))
-    list.push_back({.kind = kind_name(meeting.mode.kind),
+    list.push_back({.kind = analysis::kind_name(meeting.mode.kind),
                     .mode = meeting.mode.name,
                     .frequency = meeting.mode.frequency,
                     .harmonic = meeting.order,
