@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/analysis/plausible_values.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
@@ -17,7 +18,7 @@ namespace orbearing::app {
 // Status of a point: "ok"; "implausible: ..." for values that no machine can have; else the cause of the
 // failure.
 
-inline constexpr std::string_view kImplausible = "implausible: ";
+using analysis::kImplausible;
 
 /// Whether the point was computed and has values.
 inline bool is_computed(std::string_view status) {

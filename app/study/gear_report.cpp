@@ -117,9 +117,7 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
   const SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
   study::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
-  SpeedPoint point{.rpm = rpm,
-                   .modes = {rpm * kRadiansPerSecond, model.operation.mesh_frequency,
-                             diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)}};
+  SpeedPoint point{.rpm = rpm, .modes = diagnosis::named_modes_at(rpm * kRadiansPerSecond, model)};
   point.run = run_gears(model, options);
   if (!point.run.message.empty()) point.status = point.run.message;
   return point;
