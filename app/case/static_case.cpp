@@ -8,10 +8,6 @@ namespace orbearing::app {
 
 namespace {
 
-std::optional<double> stated(const ResolvedCase& in, const char* path) {
-  return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
-}
-
 // The result of an analysis; its failure with the name of the case.
 template <class Analyse>
 auto result_of(const ResolvedCase& in, const Analyse& analyse) {
@@ -53,16 +49,6 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   describe(record, in.model() == roller_bearing ? quantities_of(machine_of<analysis::RollersUnderLoad>(in))
                                                 : quantities_of(machine_of<analysis::BallsUnderLoad>(in)));
   return derived_rows(record);
-}
-
-bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
-  bearing::rating::StatedRatings ratings{.dynamic_capacity = stated(in, "bearing.dynamic_capacity"),
-                                         .static_capacity = stated(in, "bearing.static_capacity"),
-                                         .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};
-  if (in.has("life.reduction_factor")) ratings.reduction_factor = in.number("life.reduction_factor");
-  if (in.has("life.stress_riser"))
-    ratings.stress_riser = *value_named<bearing::rating::StressRiser>(in.choice("life.stress_riser"));
-  return ratings;
 }
 
 }  // namespace orbearing::app

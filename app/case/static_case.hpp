@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "bearing/life/standard_life.hpp"
 #include "coupling/analysis/ball_run.hpp"
 #include "coupling/analysis/bearing_under_load.hpp"
 
@@ -21,8 +20,5 @@ analysis::BallRun ball_run(const ResolvedCase& resolved, const std::function<voi
 
 /// Quantities of a bearing under a static load that follow from its inputs, for `orbearing check`.
 std::vector<Derived> static_quantities(const ResolvedCase& resolved);
-
-/// Ratings that the case states instead of the standard's values.
-bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app
