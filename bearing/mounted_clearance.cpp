@@ -26,27 +26,30 @@ class MountedRings {
       : races_(geometry_of(bearing)),
         inner_ring_(mounting.rings == Rings::both),
         outer_ring_(mounting.rings != Rings::none) {
-    const auto body = [&](double inside, double outside, double temperature, double speed) {
-      return Annulus{.inner_radius = inside,
-                     .outer_radius = outside,
-                     .material = bearing.material,
-                     .expansion = mounting.expansion,
-                     .warmth = acting.warmth ? temperature - kSizesTemperature : 0.0,
-                     .speed = acting.speed ? speed : 0.0};
+    const auto body = [&](double inside, double outside, const std::optional<double>& temperature,
+                          double speed) {
+      return Annulus{
+          .inner_radius = inside,
+          .outer_radius = outside,
+          .material = bearing.material,
+          .expansion = mounting.expansion,
+          .warmth = acting.warmth ? temperature.value_or(kSizesTemperature) - kSizesTemperature : 0.0,
+          .speed = acting.speed ? speed : 0.0};
     };
     const double bore = inner_ring_ ? 0.5 * bearing.inner.seat_diameter : races_.inner_radius;
     const double outside = outer_ring_ ? 0.5 * bearing.outer.seat_diameter : races_.outer_radius;
     inner_ = {body(0.5 * mounting.pin_bore, bore, mounting.pin_temperature, around.pin_speed),
               body(bore, races_.inner_radius, mounting.inner_ring_temperature, around.pin_speed),
-              mounting.inner_interference};
+              mounting.inner_interference.value_or(0.0)};
     outer_ = {body(races_.outer_radius, outside, mounting.outer_ring_temperature, around.planet_speed),
               body(outside, around.planet_outer_radius, mounting.planet_temperature, around.planet_speed),
-              mounting.outer_interference};
+              mounting.outer_interference.value_or(0.0)};
     Annulus& planet = outer_.around;
     planet.outside_pull = around.hanging_mass * planet.speed * planet.speed * around.hanging_radius /
                           (two_pi * planet.outer_radius);
-    roller_growth_ = mounting.expansion * bearing.element_diameter() *
-                     (acting.warmth ? mounting.roller_temperature - kSizesTemperature : 0.0);
+    roller_growth_ =
+        mounting.expansion * bearing.element_diameter() *
+        (acting.warmth ? mounting.roller_temperature.value_or(kSizesTemperature) - kSizesTemperature : 0.0);
   }
 
   double inner_pressure() const { return inner_ring_ ? inner_.pressure() : 0.0; }

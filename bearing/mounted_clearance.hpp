@@ -23,6 +23,7 @@
 // and part (p = 0) where heat or speed leaves none.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,29 +83,35 @@ struct Mounting {
   Rings rings = Rings::both;
   ClearanceState state = ClearanceState::operating;
   double unmounted_clearance = 0.0;  // [m]  the one stated, where it is that of the bearing on the shelf
-  double inner_interference = 0.0;   // [m]  bore of the inner ring under the pin, of the diameters
-  double outer_interference = 0.0;   // [m]  outer ring over the planet's bore
-  double pin_bore = 0.0;             // [m]  diameter of the hole in the pin
+  std::optional<double> inner_interference;  // [m]  bore of the inner ring under the pin, of the diameters
+  std::optional<double> outer_interference;  // [m]  outer ring over the planet's bore
+  double pin_bore = 0.0;                     // [m]  diameter of the hole in the pin
   double expansion = kSteelExpansion;
-  double pin_temperature = kSizesTemperature;         // [degC]
-  double inner_ring_temperature = kSizesTemperature;  // [degC]
-  double roller_temperature = kSizesTemperature;      // [degC]
-  double outer_ring_temperature = kSizesTemperature;  // [degC]
-  double planet_temperature = kSizesTemperature;      // [degC]
+  std::optional<double> pin_temperature;         // [degC]
+  std::optional<double> inner_ring_temperature;  // [degC]
+  std::optional<double> roller_temperature;      // [degC]
+  std::optional<double> outer_ring_temperature;  // [degC]
+  std::optional<double> planet_temperature;      // [degC]
+
+  bool states_fits() const { return inner_interference || outer_interference; }
+  bool states_temperatures() const {
+    return pin_temperature || inner_ring_temperature || roller_temperature || outer_ring_temperature ||
+           planet_temperature;
+  }
 };
 
 template <class Visitor>
 void describe(Visitor& visit, Mounting& m) {
   using namespace described;
   constexpr Where unmounted{"bearing.clearance_state", "unmounted"};
-  const auto interference = [&](double& member, const char* path, const char* meaning) {
+  const auto interference = [&](std::optional<double>& member, const char* path, const char* meaning) {
     return field(member, path, Physics::balance, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::small_length,
                   .range = {-500.0, 500.0},
                   .where = unmounted});
   };
-  const auto temperature = [&](double& member, const char* path, const char* meaning) {
+  const auto temperature = [&](std::optional<double>& member, const char* path, const char* meaning) {
     return field(member, path, Physics::balance, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::temperature,

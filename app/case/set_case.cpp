@@ -1,14 +1,12 @@
 #include "app/case/set_case.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "app/case/described_case.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/case/mistake.hpp"
-#include "app/units.hpp"
-#include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
@@ -80,68 +78,20 @@ std::string location_in_case(const ResolvedCase& resolved, const std::string& lo
   return of_bore ? "gearset.planet_bore_ratio" : location;
 }
 
-namespace {
-
-constexpr const char *kDistance = "gearset.centre_distance", *kPlanetShift = "gearset.profile_shift.planet",
-                     *kRingShift = "gearset.profile_shift.ring";
-constexpr double kDistanceRounding = 1e-5;  // [m]  of drawings and of shifts printed with four digits
-constexpr double kShiftRounding = 5e-3;     // [module]
-constexpr double kRoundOffOfPrint = 1e-9;   // [-]
-
-bool agrees(double stated, double derived, double rounding) {
-  return std::abs(stated - derived) <= rounding * (1.0 + kRoundOffOfPrint);
+gearset::StatedGeometry stated_geometry(const ResolvedCase& in) {
+  return machine_of<gearset::StatedGeometry>(in);
 }
-
-bool fits(const ResolvedCase& in, const gearset::WorkingGeometry& geometry) {
-  return (!in.has(kDistance) ||
-          agrees(in.quantity(kDistance), geometry.centre_distance, kDistanceRounding)) &&
-         (!in.has(kPlanetShift) || agrees(in.number(kPlanetShift), geometry.planet_shift, kShiftRounding));
-}
-
-// The same set with the ring's shift read by DIN's sign; nothing where it cannot be assembled.
-std::optional<gearset::WorkingGeometry> with_opposite_sign(gearset::PlanetarySet set) {
-  set.ring_shift = -set.ring_shift;
-  if (set.ring_shift == 0.0 || !gearset::assembly_problems(set).empty()) return std::nullopt;
-  return gearset::working_geometry(set);
-}
-
-std::string geometry_text(const gearset::WorkingGeometry& geometry) {
-  return fmt::format("centre distance {:.4f} mm and planet shift {:.4f}",
-                     per_milli * geometry.centre_distance, geometry.planet_shift);
-}
-
-}  // namespace
 
 void check_stated_geometry(CheckedCase& in) {
-  if (!in.has(kDistance) && !in.has(kPlanetShift)) return;
-  const gearset::PlanetarySet set = set_of(in);
-  const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
-  if (fits(in, geometry)) return;
-  std::string remedy = "which follows from teeth, module, helix angle and profile shifts, is required";
-  if (const auto other = with_opposite_sign(set); other && fits(in, *other))
-    remedy += fmt::format(
-        "; {} of the opposite sign, {:g}, gives {}: sources by DIN 3960 print a ring's "
-        "shift with that sign",
-        kRingShift, -set.ring_shift, geometry_text(*other));
-  if (in.has(kDistance) && !agrees(in.quantity(kDistance), geometry.centre_distance, kDistanceRounding))
-    in.add_error_at(
-        kDistance, quote(in.given(kDistance)),
-        fmt::format("{:.4f} mm within 0.01 mm, {}", per_milli * geometry.centre_distance, remedy));
-  if (in.has(kPlanetShift) && !agrees(in.number(kPlanetShift), geometry.planet_shift, kShiftRounding))
-    in.add_error_at(kPlanetShift, quote(in.given(kPlanetShift)),
-                    fmt::format("{:.4f} within 0.005, {}", geometry.planet_shift, remedy));
+  for (const gearset::Warning& problem : gearset::geometry_problems(set_of(in), stated_geometry(in)))
+    in.add_error_at(problem.key, quote(in.given(problem.key)), problem.text);
 }
 
 std::vector<std::string> ring_sign_warnings(const ResolvedCase& in) {
-  if (in.number(kRingShift) >= 0.0 || in.has(kDistance) || in.has(kPlanetShift)) return {};
-  const gearset::PlanetarySet set = set_of(in);
-  const auto other = with_opposite_sign(set);
-  if (!other) return {};
-  return {
-      fmt::format("{}: {:g} is negative; sources by DIN 3960 print a ring's shift with the opposite sign. As "
-                  "stated it gives {}; {:g} gives {}. State gearset.centre_distance, which is checked",
-                  kRingShift, set.ring_shift, geometry_text(gearset::working_geometry(set)), -set.ring_shift,
-                  geometry_text(*other))};
+  std::vector<std::string> texts;
+  for (const gearset::Warning& warning : gearset::ring_sign_warnings(set_of(in), stated_geometry(in)))
+    texts.push_back(warning.key + ": " + warning.text);
+  return texts;
 }
 
 }  // namespace orbearing::app

@@ -8,6 +8,7 @@
 #include "app/case/resolved_case.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_pair.hpp"
+#include "gearset/stated_geometry.hpp"
 
 namespace orbearing::app {
 
@@ -38,6 +39,9 @@ gearset::SecondPlanet second_planet_of(const ResolvedCase& resolved);
 /// The input that a warning of the gears is about: without a bearing a planet's bore is that of another
 /// input.
 std::string location_in_case(const ResolvedCase& resolved, const std::string& location);
+
+/// Values of the set that the case states as a check.
+gearset::StatedGeometry stated_geometry(const ResolvedCase& resolved);
 
 /// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both
 /// are checks alone: results follow from the independent values.

@@ -6,14 +6,6 @@
 
 namespace orbearing::app {
 
-namespace {
-
-std::optional<double> stated(const ResolvedCase& in, const char* path) {
-  return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
-}
-
-}  // namespace
-
 bool is_static_bearing(const ResolvedCase& resolved) {
   return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
 }
@@ -36,16 +28,6 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {
 analysis::BallRun ball_run(const ResolvedCase& in, const std::function<void(double)>& progress) {
   return result_for(in,
                     [&] { return analysis::run_of_balls(machine_of<analysis::BallsInTime>(in), progress); });
-}
-
-bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
-  bearing::rating::StatedRatings ratings{.dynamic_capacity = stated(in, "bearing.dynamic_capacity"),
-                                         .static_capacity = stated(in, "bearing.static_capacity"),
-                                         .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};
-  if (in.has("life.reduction_factor")) ratings.reduction_factor = in.number("life.reduction_factor");
-  if (in.has("life.stress_riser"))
-    ratings.stress_riser = *value_named<bearing::rating::StressRiser>(in.choice("life.stress_riser"));
-  return ratings;
 }
 
 }  // namespace orbearing::app

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "bearing/life/standard_life.hpp"
 #include "coupling/analysis/ball_run.hpp"
 #include "coupling/analysis/bearing_under_load.hpp"
 
@@ -19,7 +18,5 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& resolved);
 /// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
 analysis::BallRun ball_run(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
 
-/// Ratings that the case states instead of the standard's values.
-bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

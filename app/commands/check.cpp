@@ -22,6 +22,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
 #include "app/study/sensitivity.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
 
 namespace orbearing::app {
 
@@ -49,11 +50,12 @@ Checked check(const ResolvedCase& resolved) {
           ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })
           : std::vector<Derived>{};
   if (resolved.model() != planetary_drivetrain) return {own};
-  Checked checked{
-      derived_quantities(resolved),
-      joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
-             rim_warnings(resolved.without_sweep()), cage_warnings(resolved), clearance_warnings(resolved)),
-      resolved.shape().several || resolved.shape().teeth};
+  const std::vector<study::NamedSet> sets = stated_sets(resolved);
+  Checked checked{derived_quantities(resolved),
+                  joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
+                         rim_warnings(resolved.without_sweep()), analysis::cage_warnings(sets),
+                         analysis::clearance_warnings(sets)),
+                  resolved.shape().several || resolved.shape().teeth};
   if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
       has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
@@ -90,7 +92,7 @@ int execute(const CheckOptions& options) {
   if (options.print.json) {
     Record record;
     describe_check(record, resolved, derived);
-    if (has_power) describe_power(record, resolved);
+    if (has_power) describe(record, power_of(resolved));
     if (has_governing_life(resolved))
       record.child("governing_life", "by which results go", resolved, describe_governing_life);
     nlohmann::ordered_json object = json_of(record);
@@ -104,7 +106,7 @@ int execute(const CheckOptions& options) {
   fmt::print("{}", check_table(resolved, derived));
   if (has_power) {
     Record power;
-    describe_power(power, resolved);
+    describe(power, power_of(resolved));
     fmt::print("\n{}", text_of(power));
   }
   if (has_governing_life(resolved))

@@ -16,8 +16,10 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_study.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
 
 namespace orbearing::app {
 
@@ -51,9 +53,10 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownChoi
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", choices_json(choices)}};
   object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
-  object["warnings"] = joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
-                              overturning_warnings(resolved.without_sweep()), clearance_warnings(resolved),
-                              require_crown_uses(resolved, choices));
+  object["warnings"] =
+      joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
+             overturning_warnings(resolved.without_sweep()),
+             analysis::clearance_warnings(stated_sets(resolved)), require_crown_uses(resolved, choices));
   object["versions"] = versions_json();
   object["units"] = units_of(record);
   return object;

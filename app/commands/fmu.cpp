@@ -13,6 +13,7 @@
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/study/analysis.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"

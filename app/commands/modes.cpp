@@ -81,9 +81,9 @@ int execute(const ModesOptions& options) {
   const bool turns = !options.speed.empty();
   const ResolvedCase resolved = point_for_modes(options.stated, turns);
   if (const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes"))
-    return modes_of_machine(
-        *modes, turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
-        options.print);
+    return modes_of_machine(*modes,
+                            turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
+                            options.print);
   const double speed = speed_option(options.speed);
   if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options.speed);
@@ -98,11 +98,7 @@ int execute(const ModesOptions& options) {
   if (speed == 0.0 && carrier_is_body(resolved, ""))
     record.child("in_three_dimensions", "with the carrier's bearings, axial motion and tilts", resolved,
                  describe_spatial_modes);
-  if (speed > 0.0)
-    record
-        .child("campbell", "frequencies over speed", model,
-               [&](Record& diagram, const auto& of) { describe_campbell(diagram, of, speed); })
-        .detail = true;
+  if (speed > 0.0) record.child("campbell", "frequencies over speed", campbell(model, speed)).detail = true;
   present_record(resolved, record, warnings, options.print);
   return 0;
 }

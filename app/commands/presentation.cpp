@@ -22,6 +22,7 @@
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
+#include "coupling/analysis/roller_loads.hpp"
 #include "coupling/study/parallel.hpp"
 
 namespace orbearing::app {
@@ -169,14 +170,14 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
   const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);
   for (Record* record : {&form, &judged}) {
     describe_verdicts(*record, verdicts);
-    if (resolved.axes().empty()) describe_power(*record, resolved);
+    if (resolved.axes().empty()) describe(*record, power_of(resolved));
     if (const std::optional<SkidRisk> risk = skid_risk_of_run(resolved, outcome)) describe(*record, *risk);
   }
   object.update(json_of(judged));
   if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static") {
     object["stiffness"] = stiffness_of_run(resolved);
     if (has_cylindrical_rollers(resolved)) {
-      const std::vector<RollerLoads> rollers = roller_loads(resolved);
+      const std::vector<analysis::RollerLoads> rollers = analysis::roller_loads(bearing_sets(resolved));
       object.update(json_of(record_of(rollers)));
       describe(form, rollers);
     }

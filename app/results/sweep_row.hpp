@@ -14,6 +14,7 @@
 
 #include "app/results/manifest_header.hpp"
 #include "app/results/record_writers.hpp"
+#include "coupling/analysis/plausible_values.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "mechanics/columns.hpp"
 
@@ -22,7 +23,7 @@ namespace orbearing::app {
 // Status of a point: "ok"; "implausible: ..." for values that no machine can have; else the cause of the
 // failure.
 
-inline constexpr std::string_view kImplausible = "implausible: ";
+using analysis::kImplausible;
 
 /// Whether the point was computed and has values.
 inline bool is_computed(std::string_view status) {

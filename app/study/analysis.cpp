@@ -80,7 +80,7 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const AnalysisOptions&
   const study::GearRunResult run = study::run_gears(model, gear_run_options(in));
   if (!run.completed) throw ComputationFailed(in.text("name") + ": " + run.message);
   AnalysisResult result{.warnings = gear_dynamics_warnings(in)};
-  describe_gear_run(result.record, run);
+  describe(result.record, run);
   if (!run.steady) result.warnings.push_back(run.message);
   result.row = {{"input_speed_rpm", kRpm * in.quantity("input.speed")},
                 {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}};

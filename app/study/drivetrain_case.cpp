@@ -10,63 +10,17 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
-#include "app/case/static_case.hpp"
-#include "coupling/analysis/single_bearing.hpp"
-#include "gearset/checks.hpp"
-#include "gearset/drivetrain/power_flow.hpp"
+#include "bearing/race_waves.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
+#include "coupling/analysis/planet_rating.hpp"
 
 namespace orbearing::app {
 
-namespace {
-
 namespace rating = bearing::rating;
-
-bool says_any(const ResolvedCase& in, const std::array<std::string_view, 2>& paths) {
-  return std::ranges::any_of(paths, [&](std::string_view path) { return in.has(std::string(path)); });
-}
-
-bool says_cleanliness(const ResolvedCase& in) {
-  return says_any(in, kCleanlinessPaths);
-}
-
-bool says_viscosity(const ResolvedCase& in) {
-  return says_any(in, kViscosityPaths);
-}
-
-void add_waves(const ResolvedCase& in, const std::string& block, bool rotating,
-               std::vector<bearing::RaceHarmonic>& form) {
-  if (!in.has(block + ".order")) return;
-  const std::vector<double>& order = in.list(block + ".order");
-  const std::vector<double>& amplitude = in.list(block + ".amplitude");
-  const std::string phase = block + ".phase";
-  for (std::size_t i = 0; i < order.size(); ++i)
-    form.push_back({.order = static_cast<int>(std::lround(order[i])),
-                    .amplitude = amplitude[i],
-                    .phase = in.has(phase) ? in.list(phase)[i] : 0.0,
-                    .rotating = rotating});
-}
-
-std::vector<bearing::RaceHarmonic> form_of(const ResolvedCase& in, const std::string& race) {
-  std::vector<bearing::RaceHarmonic> form;
-  add_waves(in, race + ".out_of_roundness", false, form);
-  add_waves(in, race + ".waviness", true, form);
-  return form;
-}
-
-// Ratings, oil, reliability and method of the life for the bearings of a set.
-study::RatedBearing rated_bearing(const ResolvedCase& in) {
-  study::RatedBearing rated{.stated = stated_ratings_of(in),
-                            .oil = stated_oil(in),
-                            .reliability_factor = rating::reliability_factor(in.number("life.reliability")),
-                            .method = life_method(in)};
-  if (in.choice("life.viscosity_ratio_by") == "film") rated.roughness = in.quantity("contact.roughness");
-  return rated;
-}
-
-}  // namespace
 
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   if (!has_planet_bearing(in)) return {.set = set_of(in), .drive = drive_of(in)};
@@ -79,86 +33,63 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
     out.bearing.elements = bearing::Balls{out.rows.balls, out.rows.ball_diameter};
   else
     out.bearing.rollers().profile = roller_profile_of(in);
-  out.bearing.inner.form = form_of(in, "bearing.inner_race");
-  out.bearing.outer.form = form_of(in, "bearing.outer_race");
+  const auto forms = machine_of<bearing::RaceForms>(in);
+  out.bearing.inner.form = harmonics_of(forms.inner);
+  out.bearing.outer.form = harmonics_of(forms.outer);
   out.uneven_planets = !uneven_planets_by(in).empty();
-  out.rated = rated_bearing(in);
+  out.rated = analysis::rated_bearing(machine_of<analysis::PlanetRating>(in), oil_density(in),
+                                      out.dynamics.race.roughness);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
   // Without inner ring the pin itself carries the race and moves with it, down to its hole; of a solid one a
   // hole of no account, since a bore is above 0.
   if (out.mounting.rings != bearing::Rings::both)
-    out.bearing.inner.seat_diameter = std::max(out.mounting.pin_bore, 1e-3 * in.quantity("bearing.bore"));
+    out.bearing.inner.seat_diameter = std::max(out.mounting.pin_bore, 1e-3 * out.bearing.inner.seat_diameter);
   study::mount(out);
   return out;
 }
 
+std::vector<std::string> gear_warnings(const ResolvedCase& in) {
+  std::vector<std::string> texts;
+  if (in.shape().several) texts = analysis::idle_set_warnings(arrangement_of(in));
+  if (!in.shape().teeth) return texts;
+  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
+    for (const gearset::Warning& warning :
+         analysis::tooth_warnings(set_of(set), second_planet_of(set), stated_geometry(set)))
+      texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
+  };
+  if (!in.shape().several) add("", in);
+  for (const std::string& set : in.shape().sets) add(set_prefix(set), in.of_set(set));
+  return texts;
+}
+
 namespace {
 
-gearset::Warnings tooth_warnings_of(const ResolvedCase& set) {
-  if (has_planet_pairs(set)) return gearset::pair_tooth_warnings(set_of(set), second_planet_of(set));
-  return gearset::tooth_warnings(gearset::working_geometry(set_of(set)));
+std::vector<gearset::PlanetarySet> stated_teeth(const ResolvedCase& in) {
+  if (!in.shape().several) return {stated_set(in)};
+  std::vector<gearset::PlanetarySet> sets;
+  for (const std::string& set : in.shape().sets) sets.push_back(stated_set(in.of_set(set)));
+  return sets;
 }
 
 }  // namespace
 
-std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
-  std::vector<std::string> texts;
-  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
-    for (const gearset::Warning& warning : tooth_warnings_of(set))
-      texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
-    if (has_planet_pairs(set)) return;  // whose shifts are all stated
-    for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
-  };
-  if (resolved.shape().several) {
-    const gearset::Arrangement arrangement = arrangement_of(resolved);
-    for (const std::size_t set : gearset::idle_sets(gearset::power_flow(arrangement)))
-      texts.push_back(
-          fmt::format("sets.{}: idle. It transmits no torque between its shafts; its planet "
-                      "bearings carry the inertia of planets and rollers alone",
-                      arrangement.sets[set].name));
-  }
-  if (!resolved.shape().teeth) return texts;
-  if (!resolved.shape().several) add("", resolved);
-  for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
-  return texts;
+bool is_helical(const ResolvedCase& in) {
+  return std::ranges::any_of(stated_teeth(in), [](const auto& set) { return set.helix_angle != 0.0; });
 }
 
-bool is_helical(const ResolvedCase& resolved) {
-  const std::vector<Input> inputs = resolved.inputs();
-  return std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
-    return input.field->path == "gearset.helix_angle" && resolved.has(input.path) &&
-           resolved.quantity(input.path) != 0.0;
-  });
-}
-
-std::vector<std::string> planar_warnings(const ResolvedCase& resolved) {
-  if (!is_helical(resolved)) return {};
-  return {
-      "gearset.helix_angle: motion is that in the plane of the set; members are assumed fixed along their "
-      "axes and aligned. Axial and tilting vibration is left out"};
+std::vector<std::string> planar_warnings(const ResolvedCase& in) {
+  return is_helical(in) ? analysis::planar_warnings() : std::vector<std::string>{};
 }
 
 std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {
-  if (!says_cleanliness(in) && !says_viscosity(in)) return std::nullopt;
-  rating::StatedOil oil;
-  if (in.has("life.viscosity_ratio")) {
-    oil.viscosity_ratio = in.number("life.viscosity_ratio");
-  } else if (in.has("lubricant.kinematic_viscosity")) {
-    oil.kinematic_viscosity = in.quantity("lubricant.kinematic_viscosity");
-  } else {
-    oil.kinematic_viscosity = in.quantity("lubricant.viscosity") / oil_density(in);
-  }
-  if (in.has("life.contamination_factor")) oil.contamination_factor = in.number("life.contamination_factor");
-  if (in.has("life.lubrication"))
-    oil.lubrication = *value_named<rating::Lubrication>(in.choice("life.lubrication"));
-  if (in.has("life.cleanliness"))
-    oil.cleanliness = *value_named<rating::Cleanliness>(in.choice("life.cleanliness"));
-  return oil;
+  return analysis::stated_oil(machine_of<analysis::LifeInputs>(in), machine_of<analysis::BearingOil>(in),
+                              oil_density(in));
 }
 
 std::vector<std::string> rating_warnings(const ResolvedCase& in) {
   std::vector<std::string> warnings;
-  if (says_viscosity(in) && !says_cleanliness(in))
+  if (analysis::cleanliness_is_assumed(machine_of<analysis::LifeInputs>(in),
+                                       machine_of<analysis::BearingOil>(in)))
     warnings.emplace_back(
         "life.cleanliness: not given with the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO");
   const std::string governing = governing_life_key(in);
@@ -171,7 +102,7 @@ std::vector<std::string> rating_warnings(const ResolvedCase& in) {
 }
 
 rating::LifeMethod life_method(const ResolvedCase& in) {
-  return *value_named<rating::LifeMethod>(in.choice("life.method"));
+  return machine_of<analysis::LifeInputs>(in).method;
 }
 
 rating::Life governing_life(const ResolvedCase& in) {

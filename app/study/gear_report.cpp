@@ -117,9 +117,7 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
   const SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
   study::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
-  SpeedPoint point{.rpm = rpm,
-                   .modes = {rpm * kRadiansPerSecond, model.operation.mesh_frequency,
-                             diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)}};
+  SpeedPoint point{.rpm = rpm, .modes = diagnosis::named_modes_at(rpm * kRadiansPerSecond, model)};
   point.run = run_gears(model, options);
   if (!point.run.message.empty()) point.status = point.run.message;
   return point;
@@ -147,9 +145,7 @@ Json speed_json(const SpeedPoint& point) {
     row["modes"].push_back(
         {{"name", mode.name}, {"kind", mode.kind}, {"rank", mode.rank}, {"frequency_Hz", mode.frequency}});
   if (!point.run.completed) return row;
-  Record record;
-  describe_gear_run(record, point.run);
-  row["run"] = json_of(record);
+  row["run"] = json_of(record_of(point.run));
   return row;
 }
 
@@ -170,7 +166,7 @@ Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& 
 
 // The real part of a shape whose largest component is made real: the positions of the members at one instant.
 std::vector<double> snapshot_of(const Mode& mode) {
-  const ModeShape shape = shape_of(mode);
+  const analysis::ModeShape shape = analysis::shape_of(mode);
   const Eigen::VectorXd flat = shape.position.reshaped<Eigen::RowMajor>();
   return {flat.begin(), flat.end()};
 }
@@ -188,7 +184,7 @@ Json mode_shapes(const SetModel& model) {
     shapes.push_back({{"name", name},
                       {"frequency_Hz", mode.frequency},
                       {"multiplicity", mode.multiplicity},
-                      {"kind", kind_name(mode.kind)},
+                      {"kind", analysis::kind_name(mode.kind)},
                       {"shape", snapshot_of(mode)}});
   }
   return {{"places_rad", model.planet_angles},

@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "app/case/bearing_type.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/case/units.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
@@ -19,6 +19,7 @@ namespace {
 
 using study::MotionWindows;
 using study::MotionWork;
+using study::time_text;
 
 constexpr const char* kObserved = "simulation.observed_revolutions";
 constexpr const char* kMost = "simulation.most_revolutions";
@@ -28,16 +29,11 @@ constexpr double kAnnounced = 30.0;  // [s]  estimates below are not shown
 constexpr std::size_t kMostEstimated =
     100;  // points; of more, the others take as long as the nearest of them
 constexpr std::size_t kMostAddedRounds = 40;
-constexpr double kShareOfGrid = 0.2;  // of all points, at least
-
-// The shortest windows that make sense, and the largest error.
-constexpr int kLeastObserved = 3;
-constexpr int kLeastMost = 4;
-constexpr double kLargestError = 1e-9;  // [m]
-constexpr const char* kLargestErrorText = "1e-6 mm";
+constexpr double kShareOfGrid = 0.2;                  // of all points, at least
+constexpr const char* kLargestErrorText = "1e-6 mm";  // study::kLargestLengthError
 
 MotionWindows windows_of(const ResolvedCase& in) {
-  return {in.integer(kObserved), in.integer(kMost), in.quantity(kLengthError)};
+  return machine_of<MotionWindows>(in);
 }
 
 // Empty where the case fails: the computation itself reports the failure.
@@ -87,19 +83,6 @@ std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const
 
 }  // namespace
 
-double MotionEstimate::seconds(const MotionWindows& windows) const {
-  double sum = 0.0;
-  for (const auto* list : {&points, &added})
-    for (const std::vector<MotionWork>& point : *list) sum += study::seconds_of(point, windows);
-  return sum;
-}
-
-std::vector<double> MotionEstimate::work(const MotionWindows& windows) const {
-  std::vector<double> seconds;
-  for (const std::vector<MotionWork>& point : points) seconds.push_back(study::seconds_of(point, windows));
-  return seconds;
-}
-
 std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
                                               bool all) {
   const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
@@ -133,33 +116,6 @@ void refuse_budget(const ResolvedCase& resolved, bool gears_alone) {
 
 namespace {
 
-// From the windows as stated to the shortest: fewer revolutions for the means, then fewer on the way to them;
-// all of it once more with the larger error.
-std::vector<MotionWindows> ladder(const MotionWindows& stated) {
-  std::vector<MotionWindows> steps;
-  for (const double error : {stated.length_error, std::max(kLargestError, stated.length_error)}) {
-    if (!steps.empty() && error == stated.length_error) break;
-    MotionWindows now = stated;
-    now.length_error = error;
-    if (error != stated.length_error) steps.push_back(now);
-    while (now.observed > kLeastObserved) {
-      --now.observed;
-      steps.push_back(now);
-    }
-    while (now.most > kLeastMost) {
-      now.most = std::max(kLeastMost, now.most / 2);
-      steps.push_back(now);
-    }
-  }
-  return steps;
-}
-
-std::string time_text(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.2g} min", seconds / 60.0);
-  return fmt::format("{:.2g} h", seconds / 3600.0);
-}
-
 void require_no_axis(const ResolvedCase& resolved) {
   for (const SweepAxis& axis : resolved.axes())
     for (const char* path : {kObserved, kMost, kLengthError})
@@ -176,27 +132,17 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
   const MotionWindows& stated = estimate.stated;
   const double asked = estimate.seconds(stated);
   if (asked <= seconds) return std::nullopt;
-  const std::vector<MotionWindows> choices = ladder(stated);
-  const auto chosen = std::ranges::find_if(
-      choices, [&](const MotionWindows& windows) { return estimate.seconds(windows) <= seconds; });
   const auto error_text = [&](const MotionWindows& windows) {
     return windows.length_error == stated.length_error ? resolved.given(kLengthError) : kLargestErrorText;
   };
-  if (chosen == choices.end()) {
-    const MotionWindows shortest = choices.empty() ? stated : choices.back();
+  const auto [chosen, within] = study::windows_within(seconds, estimate);
+  if (!within)
     throw BadInput(
         fmt::format("--budget: found {}; required: {} of processor time or more by estimate, with the "
                     "shortest windows: {} revolutions for the means, at most {} before them, {} {}",
-                    budget, time_text(estimate.seconds(shortest)), shortest.observed, shortest.most,
-                    kLengthError, error_text(shortest)));
-  }
-  const std::string cost =
-      fmt::format("scatter of the life {:.2g} % ({:.2g} % with the windows as stated){}",
-                  100.0 * study::scatter_of_life(*chosen), 100.0 * study::scatter_of_life(stated),
-                  chosen->length_error > stated.length_error
-                      ? fmt::format(", and up to {:.0f} % by the larger error of steps",
-                                    100.0 * study::kErrorOfLargeSteps)
-                      : "");
+                    budget, time_text(estimate.seconds(chosen)), chosen.observed, chosen.most, kLengthError,
+                    error_text(chosen)));
+  const std::string cost = study::cost_text(chosen, stated);
   std::vector<Setting> settings;
   std::string text;
   const auto set = [&](const char* path, bool changed, const std::string& before, const std::string& now) {
@@ -204,17 +150,17 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
     settings.push_back({path, now});
     text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", ", path, now, before);
   };
-  set(kObserved, chosen->observed != stated.observed, std::to_string(stated.observed),
-      std::to_string(chosen->observed));
-  set(kMost, chosen->most != stated.most, std::to_string(stated.most), std::to_string(chosen->most));
-  set(kLengthError, chosen->length_error != stated.length_error, resolved.given(kLengthError),
+  set(kObserved, chosen.observed != stated.observed, std::to_string(stated.observed),
+      std::to_string(chosen.observed));
+  set(kMost, chosen.most != stated.most, std::to_string(stated.most), std::to_string(chosen.most));
+  set(kLengthError, chosen.length_error != stated.length_error, resolved.given(kLengthError),
       kLargestErrorText);
   ResolvedCase changed = resolved.with(settings);
   for (const Setting& one : settings)
     changed = changed.assuming(one.path, "chosen by --budget from the number of steps: " + cost);
-  return BudgetedCase{std::move(changed), *chosen,
+  return BudgetedCase{std::move(changed), chosen,
                       fmt::format("--budget {}: {} ({} of processor time instead of {}); {}", budget, text,
-                                  time_text(estimate.seconds(*chosen)), time_text(asked), cost)};
+                                  time_text(estimate.seconds(chosen)), time_text(asked), cost)};
 }
 
 std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads) {

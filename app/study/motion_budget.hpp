@@ -8,19 +8,11 @@
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
-#include "coupling/study/motion_work.hpp"
+#include "coupling/study/motion_budget.hpp"
 
 namespace orbearing::app {
 
-/// Estimated times of the points of a sweep in motion, and of those that it will add around the peak.
-struct MotionEstimate {
-  std::vector<std::vector<study::MotionWork>> points;  // (points of the request)
-  std::vector<std::vector<study::MotionWork>> added;   // around the peak, by the quasi-static life
-  study::MotionWindows stated;
-
-  double seconds(const study::MotionWindows& windows) const;            // [s]  of processor time, all points
-  std::vector<double> work(const study::MotionWindows& windows) const;  // [s]  (points of the request)
-};
+using study::MotionEstimate;
 
 /// None for quasi-static sweeps. Points around the peak are left out where those of the request are short,
 /// unless `all`.

@@ -14,9 +14,7 @@
 namespace orbearing::app {
 
 diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
-  const gearset::dynamics::SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
-  return {rpm * kRadiansPerSecond, model.operation.mesh_frequency,
-          diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)};
+  return diagnosis::named_modes_at(rpm * kRadiansPerSecond, gear_model_of(resolved.with({input_speed(rpm)})));
 }
 
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
@@ -25,7 +23,7 @@ std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rp
   std::vector<Resonance> list;
   for (const diagnosis::Meeting& meeting :
        diagnosis::resonances(lowest_rpm * kRadiansPerSecond, highest_rpm * kRadiansPerSecond, set, modes_at))
-    list.push_back({.kind = kind_name(meeting.mode.kind),
+    list.push_back({.kind = analysis::kind_name(meeting.mode.kind),
                     .mode = meeting.mode.name,
                     .frequency = meeting.mode.frequency,
                     .harmonic = meeting.order,

@@ -16,127 +16,35 @@
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/planetary_case.hpp"
-#include "bearing/equilibrium/lamina_stiffness.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-namespace equilibrium = bearing::equilibrium;
-namespace laminae = bearing::laminae;
-using analysis::default_laminae;
-
-std::vector<double> list_or(const ResolvedCase& in, const char* path, double otherwise) {
-  return in.has(path) ? in.list(path) : std::vector<double>{otherwise};
-}
-
-// Effect of a profile that the case does not state, on the first point.
-std::optional<std::string> warning_of_profile(const ResolvedCase& in, analysis::RollerSupport rollers,
-                                              const StiffnessPoint& point) {
-  const char* path = "bearing.profile.kind";
-  if (!in.has(path) || in.origin(path) != "default" || !point.stiffness) return std::nullopt;
-  rollers.bearing.rollers().profile = {};
-  if (!rollers.load_factors.empty()) rollers.load_factors.resize(1);
-  const StiffnessPoint straight = stiffness_of_rollers(rollers).points.front();
-  if (!straight.stiffness) return std::nullopt;
-  const auto change = [&](int axis) {
-    return 100.0 * ((*straight.stiffness)(axis, axis) / (*point.stiffness)(axis, axis) - 1.0);
-  };
-  return fmt::format(
-      "{}: not given; {} is used. Straight rollers change the stiffness along the load by {:+.0f} % and "
-      "across it by {:+.0f} %",
-      path, in.choice(path), change(0), change(1));
-}
-
 StiffnessStudy roller_stiffness(const ResolvedCase& in) {
   const auto rollers = machine_of<analysis::RollerSupport>(in);
   StiffnessStudy study = stiffness_of_rollers(rollers);
   if (!in.has("bearing.laminae"))
-    study.warnings.push_back(fmt::format(
-        "bearing.laminae: not given; {} are used, and stiffness depends on their number", default_laminae));
-  if (const auto warning = warning_of_profile(in, rollers, study.points.front()))
-    study.warnings.push_back(*warning);
-  return study;
-}
-
-// The shaft of a duplex pair under its preload.
-StiffnessStudy pair_stiffness(const ResolvedCase& in) {
-  auto pair = machine_of<analysis::PreloadedPair>(in);
-  const double own = pair.operation.shaft_speed;
-  StiffnessStudy study{.frame = "shaft against both outer rings, about its mass centre; z along the axis",
-                       .damping = "a static equilibrium has none"};
-  for (const double speed : list_or(in, "operation.speeds", own)) {
-    pair.operation.shaft_speed = speed;
-    const analysis::PairPoint found = result_for(in, [&] { return analysis::point_of(pair); });
-    StiffnessPoint point{.speed = speed, .load = {{"preload_N", pair.preload}}};
-    point.stiffness =
-        equilibrium::turned_to_axes() * found.chosen().stiffness * equilibrium::turned_to_axes().transpose();
-    point.displacement = equilibrium::displacement_by_axes(found.state);
-    point.largest_pressure = found.state.largest_pressure;
-    study.points.push_back(point);
-    study.warnings = found.warnings;
-  }
-  return study;
-}
-
-// Whole contacts hold no tilt of their own: as straight laminae, whose loads are the same, they do.
-bearing::Bearing with_laminae(const study::PlanetaryDrivetrain& drivetrain) {
-  bearing::Bearing bearing = drivetrain.bearing;
-  if (bearing.rollers().laminae > 0) return bearing;
-  bearing.rollers().laminae = default_laminae;
-  bearing.rollers().profile = {};
-  return bearing;
-}
-
-StiffnessPoint planet_point(const study::NamedSet& set, double speed) {
-  const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
-  const bearing::QuasiStaticOptions options = study::quasi_static_options(set.drivetrain);
-  const laminae::LaminaBearing bearing(with_laminae(set.drivetrain));
-  bearing::OperatingPoint at = duty.point;
-  if (set.drivetrain.bearing.rollers().laminae == 0) at.bore_tilt.setZero();  // as its sweep has it
-  const bearing::QuasiStaticResult result = quasi_static_bearing(bearing, at, options);
-  StiffnessPoint point{.speed = speed,
-                       .load = {{"x_N", result.total_bore_load[0]}, {"y_N", result.total_bore_load[1]}},
-                       .set = set.name};
-  if (!result.report.converged) {
-    point.status = result.report.message;
-    return point;
-  }
-  point.stiffness = laminae::about_axes(laminae::mean_stiffness(bearing, result, at.outer_race));
-  point.displacement << result.displacement, 0.0, -at.bore_tilt[1], at.bore_tilt[0];
-  return point;
-}
-
-StiffnessStudy planet_stiffness_of(const ResolvedCase& in) {
-  StiffnessStudy study{
-      .frame =
-          "bore of one planet bearing against its pin, in the carrier's frame; x outward from the sun, y "
-          "along the carrier's rotation, z along the axis",
-      .damping = "rollers and cage at their kinematic speeds: a static equilibrium has none"};
-  for (std::size_t i = 0; i < sweep_size(in); ++i) {
-    const ResolvedCase at = in.with(sweep_point(in, i)).without_sweep();
-    for (const study::NamedSet& set : bearing_sets(at)) {
-      try {
-        study.points.push_back(planet_point(set, at.quantity("input.speed")));
-      } catch (const std::domain_error& error) {
-        study.points.push_back(
-            {.speed = at.quantity("input.speed"), .set = set.name, .status = error.what()});
-      }
-    }
-  }
-  // One table for each set.
-  std::vector<std::string> names;
-  for (StiffnessPoint& point : study.points) {
-    const auto found = std::find(names.begin(), names.end(), point.set);
-    point.series = static_cast<std::size_t>(found - names.begin());
-    if (found == names.end()) names.push_back(point.set);
-  }
-  study.series = names.size();
-  if (in.has("bearing.rollers") && !in.has("bearing.laminae"))
     study.warnings.push_back(
-        fmt::format("bearing.laminae: not given; the stiffness against tilt is that of {} straight laminae",
-                    default_laminae));
+        fmt::format("bearing.laminae: not given; {} are used, and stiffness depends on their number",
+                    analysis::default_laminae));
+  const char* profile = "bearing.profile.kind";
+  if (!in.has(profile) || in.origin(profile) != "default") return study;
+  if (const auto effect = effect_of_straight_rollers(rollers, study.points.front()))
+    study.warnings.push_back(
+        fmt::format("{}: not given; {} is used. {}", profile, in.choice(profile), *effect));
   return study;
+}
+
+StiffnessStudy planet_stiffness(const ResolvedCase& in) {
+  std::vector<StiffnessPoint> points;
+  for (std::size_t i = 0; i < sweep_size(in); ++i)
+    for (const study::NamedSet& set : bearing_sets(in.with(sweep_point(in, i)).without_sweep()))
+      points.push_back(analysis::stiffness_of_planet_bearing(set));
+  const std::vector<study::NamedSet> stated = stated_sets(in);
+  const bool whole = !in.shape().several && stated.front().drivetrain.bearing.has_rollers() &&
+                     stated.front().drivetrain.bearing.rollers().laminae == 0;
+  return analysis::stiffness_of_planet_bearings(std::move(points), whole);
 }
 
 }  // namespace
@@ -148,17 +56,15 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
   } else if (in.model() == ball_bearing) {
     study = stiffness_of_balls(machine_of<analysis::BallSupport>(in));
   } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
-    study = planet_stiffness_of(in);
+    study = planet_stiffness(in);
   } else if (in.model() == duplex_pair) {
-    study = pair_stiffness(in);
+    study = result_for(in, [&] { return stiffness_of_pair(machine_of<analysis::PreloadedPair>(in)); });
   } else {
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
                    " without a bearing in static equilibrium; required: ball-bearing without a block "
                    "simulation, roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
   }
-  for (const StiffnessPoint& point : study.points)
-    if (!point.stiffness)
-      study.warnings.push_back(fmt::format("{:.6g} rpm: {}", speed_in_rpm(point.speed), point.status));
+  analysis::warn_of_failed_points(study);
   return study;
 }
 

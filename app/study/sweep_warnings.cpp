@@ -7,7 +7,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -16,8 +15,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
-#include "bearing/geometry.hpp"
-#include "bearing/life/rating_lives.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/one_way.hpp"
 #include "coupling/study/operating_point.hpp"
@@ -73,62 +71,12 @@ void warn_where(const SweepOutcome& outcome, const std::string& text,
                                    speed_in_rpm(found.front()->point.input_speed)));
 }
 
-// Warns of too few laminae to resolve a profile or a tilt; then of fewer than ISO/TS 16281 requires for its
-// lives.
-void warn_of_few_laminae(const ResolvedCase& resolved, Texts& warnings) {
-  constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
-  constexpr int least = bearing::rating::kLeastRatedLaminae;
-  Texts rated;
-  for (const std::string& prefix : prefixes_of_sets(resolved)) {
-    const auto has = [&](const char* path) { return resolved.has(prefix + path); };
-    if (!has("bearing.laminae")) continue;
-    const int laminae = resolved.integer(prefix + "bearing.laminae");
-    const bool computed =
-        has("bearing.tilt_state") && resolved.choice(prefix + "bearing.tilt_state") == "computed";
-    if (laminae < enough &&
-        (computed || !is_chosen(resolved, prefix + "bearing.profile.kind", "straight") ||
-         has("bearing.misalignment.planet_tilt") || has("bearing.misalignment.carrier_wind_up")))
-      warnings.push_back(
-          fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one: not at all), which "
-                      "affects loads and lives. Use {} or more",
-                      prefix, laminae, enough));
-    const bool left_out = !is_chosen(resolved, "life.stress_riser", "standard");
-    if (laminae > 0 && laminae < least && is_chosen(resolved, prefix + "bearing.profile.kind", "straight"))
-      rated.push_back(fmt::format(
-          "{}bearing.laminae: {} laminae of straight rollers; {}ISO/TS 16281 requires at least {}", prefix,
-          laminae, left_out ? "L10rh and L10mrh are left out, for which " : "", least));
-  }
-  add(rated, warnings);
-}
-
-// Rims softer than that of the longest life: a stiffer one is tried at the case's own speed and power.
-void warn_of_soft_rims(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
-  constexpr double stiffer = 2.0, gain_told = 0.02;  // as well as influences agree with finite elements
-  if (outcome.header.fidelity != "quasi-static") return;
-  if (std::ranges::none_of(prefixes_of_sets(resolved), [&](const std::string& set) {
-        const std::string rim = set + "gearset.planet_rim";
-        return resolved.has(rim) && resolved.choice(rim) == "elastic";
-      }))
-    return;
-  const std::vector<study::NamedSet> sets = bearing_sets(resolved.without_sweep());
-  for (const study::NamedSet& set : sets) try {
-      const double gain = study::gain_by_stiffer_rim(set.drivetrain, set.geometry, stiffer);
-      if (gain > gain_told)
-        warnings.push_back(
-            fmt::format("{}gearset.planet_rim: the rim is softer than that of the longest life. Twice as "
-                        "stiff, the life at {:g} rpm is {:.3g} % longer. Increase its thickness or the "
-                        "modulus of its material",
-                        sets.size() > 1 ? set_prefix(set.name) : "",
-                        set.drivetrain.drive.speed * 30.0 / std::numbers::pi, 100.0 * gain));
-    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row reports
-    }
-}
-
 // Bores whose motion depends on the meshes that hold them: what was solved one way, and what was not.
 void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
   if (outcome.header.fidelity != "dynamic") return;
-  const bool full = std::ranges::any_of(
-      prefixes_of_sets(resolved), [&](const std::string& set) { return is_full_complement(resolved, set); });
+  const bool full = std::ranges::any_of(set_prefixes(resolved.shape()), [&](const std::string& set) {
+    return is_full_complement(resolved, set);
+  });
   const auto together = [](const SweepRow& row) { return row.point.exchange_window == 0.0; };
   const auto drag = [](const SweepRow& row) {
     return row.point.motion ? row.point.motion->drag_over_traction.value_or(not_given) : not_given;
@@ -142,7 +90,7 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
                          "--fidelity monolithic",
                          why),
              together, warnings);
-  const bool squeezed = resolved.has("contact.squeeze") && resolved.flag("contact.squeeze");
+  const bool squeezed = stated_sets(resolved).front().drivetrain.dynamics.race.squeeze;
   const char* advice =
       squeezed ? "drag_slip takes loads at rest: use cage_slip" : "Compare with contact.squeeze: true";
   warn_where(
@@ -226,11 +174,7 @@ void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, T
   constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
   const ResolvedCase at_point = resolved.without_sweep();
   for (const study::NamedSet& set : bearing_sets(at_point)) {
-    const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
-    const double cage =
-        bearing::kinematic_cage_speed(set.geometry.bearing, duty.point.inner_speed, duty.point.outer_speed);
-    const double field = std::max(std::pow(duty.gears.carrier_speed, 2) * set.geometry.gears.centre_distance,
-                                  cage * cage * set.geometry.bearing.pitch_radius);  // [m/s2]
+    const double field = analysis::inertial_field(set);  // [m/s2]
     const double input = speed_in_rpm(set.drivetrain.drive.speed);
     const auto at = [&](const SweepRow& row) {
       return field * std::pow(speed_in_rpm(row.point.input_speed) / input, 2);
@@ -286,10 +230,16 @@ void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
       [](const SweepRow& row) { return row.point.exchange_residual > most_residual; }, warnings);
 }
 
+bool has_elastic_rim(const std::vector<study::NamedSet>& sets) {
+  return std::ranges::any_of(sets,
+                             [](const auto& set) { return set.drivetrain.rim == study::PlanetRim::elastic; });
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found) {
+  const std::vector<study::NamedSet> sets = stated_sets(resolved);
   Texts warnings = gear_warnings(resolved);
   add(require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all), warnings);
   add(found.warnings, warnings);
@@ -297,16 +247,17 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   add(slope_warnings(resolved), warnings);
   if (in_time(fidelity_of(outcome.header.fidelity))) {
     add(planar_warnings(resolved), warnings);
-    add(cage_warnings(resolved), warnings);
+    add(analysis::cage_warnings(sets), warnings);
     warn_of_weight(resolved, outcome, warnings);
   }
-  add(clearance_warnings(resolved), warnings);
+  add(analysis::clearance_warnings(sets), warnings);
   add(rim_warnings(resolved.without_sweep()), warnings);
-  warn_of_few_laminae(resolved, warnings);
+  add(analysis::lamina_warnings(sets), warnings);
   add(rating_warnings(resolved), warnings);
   warn_of_carrier(resolved, outcome, warnings);
   warn_of_free_bores(resolved, outcome, warnings);
-  warn_of_soft_rims(resolved, outcome, warnings);
+  if (outcome.header.fidelity == "quasi-static" && has_elastic_rim(sets))
+    add(analysis::soft_rim_warnings(bearing_sets(resolved.without_sweep())), warnings);
   add(rare_values(rows_of(outcome, false)), warnings);
   add(judge(observations_at_ends(resolved, outcome)).warnings, warnings);
   warn_of_motions(outcome, warnings);

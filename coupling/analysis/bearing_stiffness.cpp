@@ -1,6 +1,13 @@
 #include "coupling/analysis/bearing_stiffness.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/equilibrium/row_group.hpp"
+#include "mechanics/constants.hpp"
+#include "mechanics/number_text.hpp"
 
 namespace orbearing::analysis {
 
@@ -74,6 +81,107 @@ StiffnessStudy stiffness_of_rollers(const RollerSupport& in) {
 StiffnessStudy stiffness_of_balls(const BallSupport& in) {
   return over_loads_and_speeds(in.bearing, row_motion(in.rotation, in.balls, in.oil.lubricant), in.load,
                                list_or(in.load_factors, 1.0), list_or(in.speeds, in.rotation.shaft_speed));
+}
+
+void warn_of_failed_points(StiffnessStudy& study) {
+  constexpr int digits = 6;
+  for (const StiffnessPoint& point : study.points)
+    if (!point.stiffness)
+      study.warnings.push_back(
+          mechanics::significant(mechanics::in_unit(point.speed, 30.0 / constants::pi), digits) +
+          " rpm: " + point.status);
+}
+
+std::optional<std::string> effect_of_straight_rollers(RollerSupport in, const StiffnessPoint& first) {
+  if (!first.stiffness) return std::nullopt;
+  in.bearing.rollers().profile = {};
+  if (!in.load_factors.empty()) in.load_factors = {in.load_factors.front()};
+  const StiffnessPoint straight = stiffness_of_rollers(in).points.front();
+  if (!straight.stiffness) return std::nullopt;
+  const auto change = [&](int axis) {
+    const double percent = 100.0 * ((*straight.stiffness)(axis, axis) / (*first.stiffness)(axis, axis) - 1.0);
+    return (std::signbit(percent) ? "" : "+") + mechanics::with_decimals(percent, 0) + " %";
+  };
+  return "Straight rollers change the stiffness along the load by " + change(0) + " and across it by " +
+         change(1);
+}
+
+StiffnessStudy stiffness_of_pair(PreloadedPair pair) {
+  StiffnessStudy study{.frame = "shaft against both outer rings, about its mass centre; z along the axis",
+                       .damping = "a static equilibrium has none"};
+  for (const double speed : list_or(pair.operation.speeds, pair.operation.shaft_speed)) {
+    pair.operation.shaft_speed = speed;
+    const PairPoint found = point_of(pair);
+    StiffnessPoint point{.speed = speed, .load = {{"preload_N", pair.preload}}};
+    point.stiffness =
+        equilibrium::turned_to_axes() * found.chosen().stiffness * equilibrium::turned_to_axes().transpose();
+    point.displacement = equilibrium::displacement_by_axes(found.state);
+    point.largest_pressure = found.state.largest_pressure;
+    study.points.push_back(point);
+    study.warnings = found.warnings;
+  }
+  return study;
+}
+
+namespace {
+
+// Whole contacts hold no tilt of their own: as straight laminae, whose loads are the same, they do.
+bearing::Bearing with_laminae(const study::PlanetaryDrivetrain& drivetrain) {
+  bearing::Bearing bearing = drivetrain.bearing;
+  if (bearing.rollers().laminae > 0) return bearing;
+  bearing.rollers().laminae = default_laminae;
+  bearing.rollers().profile = {};
+  return bearing;
+}
+
+StiffnessPoint planet_point(const study::NamedSet& set) {
+  namespace laminae = bearing::laminae;
+  const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
+  const bearing::QuasiStaticOptions options = study::quasi_static_options(set.drivetrain);
+  const laminae::LaminaBearing bearing(with_laminae(set.drivetrain));
+  bearing::OperatingPoint at = duty.point;
+  if (set.drivetrain.bearing.rollers().laminae == 0) at.bore_tilt.setZero();  // as its sweep has it
+  const bearing::QuasiStaticResult result = quasi_static_bearing(bearing, at, options);
+  StiffnessPoint point{.speed = set.drivetrain.drive.speed,
+                       .load = {{"x_N", result.total_bore_load[0]}, {"y_N", result.total_bore_load[1]}},
+                       .set = set.name};
+  if (!result.report.converged) {
+    point.status = result.report.message;
+    return point;
+  }
+  point.stiffness = laminae::about_axes(laminae::mean_stiffness(bearing, result, at.outer_race));
+  point.displacement << result.displacement, 0.0, -at.bore_tilt[1], at.bore_tilt[0];
+  return point;
+}
+
+}  // namespace
+
+StiffnessPoint stiffness_of_planet_bearing(const study::NamedSet& set) {
+  try {
+    return planet_point(set);
+  } catch (const std::domain_error& error) {
+    return {.speed = set.drivetrain.drive.speed, .set = set.name, .status = error.what()};
+  }
+}
+
+StiffnessStudy stiffness_of_planet_bearings(std::vector<StiffnessPoint> points, bool whole_contacts) {
+  StiffnessStudy study{
+      .points = std::move(points),
+      .frame =
+          "bore of one planet bearing against its pin, in the carrier's frame; x outward from the sun, y "
+          "along the carrier's rotation, z along the axis",
+      .damping = "rollers and cage at their kinematic speeds: a static equilibrium has none"};
+  std::vector<std::string> names;
+  for (StiffnessPoint& point : study.points) {
+    const auto found = std::ranges::find(names, point.set);
+    point.series = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(point.set);
+  }
+  study.series = names.size();
+  if (whole_contacts)
+    study.warnings.push_back("bearing.laminae: not given; the stiffness against tilt is that of " +
+                             std::to_string(default_laminae) + " straight laminae");
+  return study;
 }
 
 void describe(Record& row, const StiffnessPoint& point) {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "bearing/equilibrium/ring_axes.hpp"
+#include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/single_bearing.hpp"
+#include "coupling/study/multi_stage.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
@@ -36,9 +38,26 @@ struct StiffnessStudy {
 
 void describe(described::Record& record, const StiffnessStudy& study);
 
+/// Adds a warning for each point without an equilibrium.
+void warn_of_failed_points(StiffnessStudy& study);
+
 /// The inner ring of a single bearing against the outer one, x along the radial load, at each of the load
 /// factors; of balls over each of the speeds.
 StiffnessStudy stiffness_of_rollers(const RollerSupport& in);
 StiffnessStudy stiffness_of_balls(const BallSupport& in);
+
+/// Change of the first point of rollers by straight rollers, in words; none where one has no equilibrium.
+std::optional<std::string> effect_of_straight_rollers(RollerSupport in, const StiffnessPoint& first);
+
+/// The shaft of a duplex pair under its preload, about its mass centre, at each of its speeds.
+/// Throws std::runtime_error where it has no equilibrium.
+StiffnessStudy stiffness_of_pair(PreloadedPair pair);
+
+/// The bore of one planet bearing against its pin: rollers and cage at their kinematic speeds, mean over the
+/// cage angles.
+StiffnessPoint stiffness_of_planet_bearing(const study::NamedSet& set);
+/// Points of a drivetrain as a study: one table for each set.
+/// @param whole_contacts rollers are not cut into laminae, and are taken as straight
+StiffnessStudy stiffness_of_planet_bearings(std::vector<StiffnessPoint> points, bool whole_contacts);
 
 }  // namespace orbearing::analysis

@@ -165,6 +165,10 @@ void describe(Record& record, const MeshStudy& study) {
     record.child("planet_rim", "influence functions of the elastic rim", *study.planet_rim, describe_rim);
 }
 
+void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
+  for (const gearset::Warning& warning : warnings) texts.push_back(warning.key + ": " + warning.text);
+}
+
 void warn_of_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
   texts.push_back(

@@ -12,6 +12,7 @@
 #include "gearset/mesh/loaded/transmission_error.hpp"
 #include "gearset/mesh/mesh_stiffness.hpp"
 #include "gearset/rim/rim_influence.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
@@ -75,6 +76,9 @@ GearCircles circles_of(const char* gear, const Tooth& tooth, double working_pres
           .pitch = 2.0 * tooth.base_radius / std::cos(working_pressure_angle),
           .at_ring = {}};
 }
+
+/// Adds warnings as "key: text".
+void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts);
 
 /// Warnings of the standard for a mesh outside of its range.
 void warn_of_standard(const NamedMesh& mesh, std::vector<std::string>& texts);

@@ -11,10 +11,6 @@ namespace orbearing::analysis {
 
 namespace {
 
-void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
-  for (const gearset::Warning& warning : warnings) texts.push_back(warning.key + ": " + warning.text);
-}
-
 constexpr const char* kGearNames[] = {"first gear", "second gear"};
 
 // A pair of either kind. The ring is the first gear of its mesh, whichever drives.

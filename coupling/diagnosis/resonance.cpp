@@ -80,6 +80,11 @@ std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, in
   return list;
 }
 
+ModesAtSpeed named_modes_at(double speed, const gearset::dynamics::SetModel& model) {
+  return {speed, model.operation.mesh_frequency,
+          named_frequencies(modes_at_speed(model), model.parameters.planets)};
+}
+
 namespace {
 
 /// A harmonic of the mesh frequency and a mode that lies above it at one speed and below at a higher one.

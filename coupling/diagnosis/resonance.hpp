@@ -31,6 +31,9 @@ struct ModesAtSpeed {
   std::vector<NamedFrequency> modes;
 };
 
+/// Modes of gears in the carrier's frame, whose driving member has that speed [rad/s].
+ModesAtSpeed named_modes_at(double speed, const gearset::dynamics::SetModel& model);
+
 /// A meeting of a harmonic and a mode.
 struct Meeting {
   int order = 0;

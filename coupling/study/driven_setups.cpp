@@ -115,7 +115,8 @@ system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
                              drivetrain.bearings_per_planet};
   if (drivetrain.seats.tilt == TiltState::computed)
     setup.seats = seats_of_all(drivetrain, geometry);
-  else if (drivetrain.uneven_planets && (drivetrain.misalignment.planet_tilt != 0.0 || geometry.rim))
+  else if (drivetrain.uneven_planets &&
+           (drivetrain.misalignment.planet_tilt.value_or(0.0) != 0.0 || geometry.rim))
     setup.seats = seats_of_unlike(drivetrain, geometry);
   return setup;
 }

@@ -130,8 +130,8 @@ bearing::motion::DynamicsParameters bearing_dynamics_of(const BearingDuty& duty,
 }
 
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {
-  return misalignment.planet_tilt * load.normalized() +
-         misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
+  return misalignment.planet_tilt.value_or(0.0) * load.normalized() +
+         misalignment.carrier_wind_up.value_or(0.0) * Eigen::Vector2d::UnitY();
 }
 
 // Masses of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one;

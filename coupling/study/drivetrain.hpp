@@ -60,8 +60,9 @@ void describe(Visitor& visit, RunUp& m) {
 
 /// Misalignment of the bore on the pin. Affects bearings cut into laminae only.
 struct Misalignment {
-  double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
-  double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
+  std::optional<double> planet_tilt;  // [rad]  in the plane of the load: the bore leans towards the load at
+                                      //        positive z
+  std::optional<double> carrier_wind_up;  // [rad]  in the tangential plane: the bore leads at positive z
 };
 
 template <class Visitor>
@@ -227,6 +228,9 @@ struct PlanetaryDrivetrain {
   bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
   RatedBearing rated;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
+
+  /// Else planets turn on their pins as they are.
+  bool has_bearing() const { return bearing.element_count() > 0; }
 };
 
 /// Parameters in a case besides the gears.

@@ -10,6 +10,10 @@
 #include "gearset/dynamics/period_map.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
+namespace orbearing::described {
+class Record;
+}
+
 namespace orbearing::study {
 
 // Means, extremes and mesh harmonics of the signals of all planets, gathered sample by sample.
@@ -125,6 +129,9 @@ struct GearRunResult {
   int windows = 0;                        // until steady
   integration::IntegrationReport report;  // summed; smallest step of all
 };
+
+/// Statistics of each planet, load sharing, what the run took, and the time series of the last periods.
+void describe(described::Record& record, const GearRunResult& result);
 
 /// Runs from the static state under mean loads (a run-up from its start), or from `start`. Errors of the
 /// integration are in the result.

@@ -17,6 +17,13 @@ struct MotionWindows {
 
   bool operator==(const MotionWindows&) const = default;
 };
+template <class Visitor>
+void describe(Visitor& visit, MotionWindows& m) {
+  using namespace described;
+  members(visit, m, internal(m.observed, "simulation.observed_revolutions"),
+          internal(m.most, "simulation.most_revolutions"),
+          internal(m.length_error, "simulation.length_error", "", {.dimension = dimension::length}));
+}
 
 /// The motion of one bearing, or of all bearings of a set as one system. Times are processor times of the
 /// core on which they were measured: docs/motion_time.md has the measurement and its accuracy.

@@ -248,6 +248,12 @@ struct RunUp {
   double from = 1.0;      // [-]  greater than 0
   double duration = 0.0;  // [s]  0: the nominal speed from the start
 };
+template <class Visitor>
+void describe(Visitor& visit, RunUp& m) {
+  using namespace described;
+  members(visit, m, internal(m.from, "gearset.dynamics.run_up.from"),
+          internal(m.duration, "gearset.dynamics.run_up.duration", "", {.dimension = dimension::time}));
+}
 
 /// Speeds and torques at which the set runs.
 struct Operation {

@@ -45,6 +45,12 @@ struct BodyRatios {
   double sun_bore = 0.5;       // [-]  bore / root diameter
   double ring_outside = 1.15;  // [-]  outside / root diameter
 };
+template <class Visitor>
+void describe(Visitor& visit, BodyRatios& m) {
+  using namespace described;
+  members(visit, m, internal(m.sun_bore, "gearset.sun_bore_ratio"),
+          internal(m.ring_outside, "gearset.ring_outside_ratio"));
+}
 
 /// The stiffness of sun mesh n at time t is sun.curve.value(t / period - sun_lag[n]), of ring mesh n
 /// ring.curve.value(t / period - ring_lag[n]); the planets are numbered anticlockwise.

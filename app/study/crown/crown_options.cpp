@@ -13,6 +13,7 @@
 #include "app/case/text_table.hpp"
 #include "app/errors.hpp"
 #include "app/options/option_json.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
 

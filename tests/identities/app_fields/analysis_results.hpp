@@ -157,15 +157,11 @@ inline std::string modes_result(const ResolvedCase& in, bool rotating) {
     if (carrier_is_body(in, "")) describe_spatial_modes(spatial, in);
     return record_text(mode_study(model)) + json_of(spatial).dump();
   }
-  Record campbell;
-  describe_campbell(campbell, model, nominal_speed);
-  return record_text(mode_study(model, true)) + json_of(campbell).dump();
+  return record_text(mode_study(model, true)) + record_text(campbell(model, nominal_speed));
 }
 
 inline std::string gears_result(const ResolvedCase& in) {
-  Record record;
-  describe_gear_run(record, study::run_gears(moving_gears_of(in), gear_run_options(in)));
-  return json_of(record).dump();
+  return record_text(study::run_gears(moving_gears_of(in), gear_run_options(in)));
 }
 
 inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {

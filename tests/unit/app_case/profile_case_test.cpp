@@ -30,7 +30,7 @@ TEST(ProfileCase, NothingStatedIsAStraightUncutRoller) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
   EXPECT_EQ(drivetrain.bearing.rollers().laminae, 0);
   EXPECT_EQ(kind(drivetrain.bearing.rollers().profile), "straight");
-  EXPECT_EQ(drivetrain.misalignment.planet_tilt, 0.0);
+  EXPECT_FALSE(drivetrain.misalignment.planet_tilt);
 }
 
 TEST(ProfileCase, EveryKindAloneIsAsDeepAsTheStandardsProfile) {
@@ -81,7 +81,7 @@ TEST(ProfileCase, MisalignmentReachesTheBoreInThePlanesItNames) {
   const study::PlanetaryDrivetrain drivetrain =
       drivetrain_of(shipped({"bearing.laminae=40", "bearing.misalignment.planet_tilt=1 mrad",
                              "bearing.misalignment.carrier_wind_up=0.5 mrad"}));
-  EXPECT_DOUBLE_EQ(drivetrain.misalignment.planet_tilt, 1e-3);
+  EXPECT_DOUBLE_EQ(drivetrain.misalignment.planet_tilt.value(), 1e-3);
   const Eigen::Vector2d tilt = bore_tilt(drivetrain.misalignment, {-30.0, 40.0});
   EXPECT_NEAR(tilt.x(), -0.6e-3, 1e-18);
   EXPECT_NEAR(tilt.y(), 0.8e-3 + 0.5e-3, 1e-18);
@@ -93,8 +93,9 @@ TEST(ProfileCase, MisalignmentWithoutLaminaeIsAMistake) {
   EXPECT_THAT(setting_mistakes({kKind + "iso16281"}), testing::IsEmpty());
   EXPECT_THAT(setting_mistakes({"bearing.misalignment.planet_tilt=1 mrad"}),
               ElementsAre(HasSubstr("without bearing.laminae")));
-  EXPECT_THAT(setting_mistakes({"bearing.laminae=40", "bearing.profile.drop=3 um"}),
-              ElementsAre(HasSubstr("profile straight: found no relief at the position of the required drop")));
+  EXPECT_THAT(
+      setting_mistakes({"bearing.laminae=40", "bearing.profile.drop=3 um"}),
+      ElementsAre(HasSubstr("profile straight: found no relief at the position of the required drop")));
 }
 
 TEST(ProfileCase, WhatCannotBeMadeIsAMistake) {

@@ -83,7 +83,7 @@ TEST(MountedClearance, GrowsWithAllLengthsWhereAllIsAlikeWarm) {
   Mounting mounting = on_the_shelf(40.0 * kUm);
   mounting.inner_interference = mounting.outer_interference = 8.0 * kUm;
   const double cold = clearance_chain(planet_bearing(), mounting, kRim).fitted;
-  for (double* temperature :
+  for (std::optional<double>* temperature :
        {&mounting.pin_temperature, &mounting.inner_ring_temperature, &mounting.roller_temperature,
         &mounting.outer_ring_temperature, &mounting.planet_temperature})
     *temperature = 120.0;

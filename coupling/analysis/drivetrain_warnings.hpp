@@ -1,0 +1,53 @@
+// Warnings that follow from the inputs of a drivetrain: assumptions, and effects that are left out. Each
+// begins with the key of the case that it concerns.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/study/multi_stage.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/planet_pair.hpp"
+#include "gearset/stated_geometry.hpp"
+#include "mechanics/problem.hpp"
+
+namespace orbearing::analysis {
+
+/// Beginning of the keys of a set; none for a single one.
+std::string prefix_of(const std::string& set);
+
+/// Cages in motion without a land: nothing but rollers holds them.
+std::vector<std::string> cage_warnings(const std::vector<study::NamedSet>& sets);
+
+/// Assumptions of a clearance before mounting: fits or temperatures that are not stated.
+std::vector<std::string> clearance_warnings(const std::vector<study::NamedSet>& sets);
+
+/// The moment by which helical teeth overturn the planets of sets whose tilt is not computed, and what it
+/// would be on their bearings.
+std::vector<std::string> overturning_warnings(const std::vector<study::NamedSet>& sets);
+
+/// Slopes of the lead beside a computed tilt, in which the moment that they make is left out. Texts follow
+/// the value.
+mechanics::Problems slope_warnings(const study::PlanetaryDrivetrain& drivetrain);
+
+/// Effects that the motion of helical gears leaves out.
+std::vector<std::string> planar_warnings();
+
+/// Sets that transmit no torque, of several.
+std::vector<std::string> idle_set_warnings(const gearset::Arrangement& arrangement);
+
+/// Teeth of one set, and the sign of its ring's shift.
+gearset::Warnings tooth_warnings(const gearset::PlanetarySet& set, const gearset::SecondPlanet& second,
+                                 const gearset::StatedGeometry& stated);
+
+/// Too few laminae to resolve a profile or a tilt; then fewer than ISO/TS 16281 requires for its lives.
+std::vector<std::string> lamina_warnings(const std::vector<study::NamedSet>& sets);
+
+/// Rims softer than that of the longest life: a stiffer one is tried at the sets' own speed and power.
+std::vector<std::string> soft_rim_warnings(const std::vector<study::NamedSet>& sets);
+
+/// [m/s2]  The larger of the inertial fields of the carrier at the planets and of the rollers' own orbit.
+double inertial_field(const study::NamedSet& set);
+
+}  // namespace orbearing::analysis
