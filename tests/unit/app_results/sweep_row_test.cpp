@@ -140,7 +140,7 @@ std::vector<std::string> names_of(const ManifestHeader& header) {
   return described::each(record.entries(), &described::Entry::name);
 }
 
-// What follows the status of a failed point: empty cells, and that it was not added.
+// Cells after the status of a failed point: empty ones, and that it was not added.
 std::string cells_after_status() {
   const auto status = std::ranges::find(promised, "status");
   return std::string(static_cast<std::size_t>(promised.end() - status) - 1, ',') + "false";
