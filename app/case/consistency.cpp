@@ -311,9 +311,9 @@ double planet_length(const ResolvedCase& in) {
 }
 
 bool takes_part_in_consistency(std::string_view path) {
-  return begins_with_one_of(
-             path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.", "housing.",
-                    "defect.", "signal.", "life.", "lubricant.kinematic", "parallel_stage."}) ||
+  return begins_with_one_of(path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.",
+                                   "housing.", "defect.", "signal.", "life.",
+                                   "lubricant.kinematic", "parallel_stage."}) ||
          is_one_of(path,
                    {"stiffness", "arrangement", "operation.shaft_speed", "operation.outer_speed",
                     "lubricant.grade", "lubricant.temperature", "lubricant.viscosity_index", "input.member"});
