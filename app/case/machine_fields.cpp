@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/case/field_table.hpp"
+#include "app/case/field_rows.hpp"
 
 namespace orbearing::app {
 
