@@ -7,7 +7,8 @@ from typing import Any, Mapping
 
 # Ends of names -> units as udunits and pint read them; the longest end counts.
 _UNITS = {
-    "_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_per_mm_um": "N mm-1 um-1", "_N_m": "N m", "_N_mm": "N mm", "_m_per_N": "m N-1", "_per_s": "s-1",
+    "_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_per_mm_um": "N mm-1 um-1", "_N_per_mm": "N mm-1", "_N_m": "N m", "_N_mm": "N mm",
+    "_m_per_N": "m N-1", "_per_s": "s-1",
     "_m_s2": "m s-2", "_m_per_s2": "m s-2", "_kg_m2": "kg m2", "_per_kg": "kg-1", "_per_mm": "mm-1", "_percent": "percent",
     "_rpm": "rpm", "_Mrev": "megarevolution", "_mrad": "mrad", "_MPa": "MPa", "_Hz": "Hz", "_um": "um", "_mm": "mm", "_us": "us", "_ms": "ms",
     "_deg": "degree", "_N": "N", "_kN": "kN", "_W": "W", "_kW": "kW", "_h": "h", "_s": "s", "_m_s": "m s-1", "_rad_s": "rad s-1", "_K": "K", "_m": "m",
