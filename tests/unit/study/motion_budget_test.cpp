@@ -32,7 +32,8 @@ TEST(MotionBudget, TakesFewerRevolutionsForTheMeansFirst) {
   EXPECT_EQ(found.windows.length_error, MotionWindows{}.length_error);
   MotionWindows longer = found.windows;
   ++longer.observed;
-  EXPECT_GT(estimate().seconds(longer), 0.9 * estimate().seconds({}));
+  const double of_longer = estimate().seconds(longer), of_all = estimate().seconds({});
+  EXPECT_GT(of_longer, 0.9 * of_all);
 }
 
 TEST(MotionBudget, GivesTheShortestWhereNoneFits) {
