@@ -5,20 +5,11 @@
 
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_of.hpp"
+#include "app/case/printable.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-std::vector<std::string> choices_in(const std::string& text) {
-  std::vector<std::string> choices;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('|', begin), text.size());
-    choices.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return choices;
-}
 
 // Of the case that was asked for last: all conditions of a case are asked one after another.
 template <class Inputs>
@@ -36,7 +27,7 @@ const Inputs& machine_asked_for(const ResolvedCase& in) {
 template <class Row, class Inputs>
 Condition condition_of(const mechanics::Premise<Inputs>& premise) {
   return {.paths = premise.on,
-          .values = choices_in(premise.value),
+          .values = premise.value.empty() ? std::vector<std::string>{} : parts_of(premise.value, '|'),
           .holds =
               [holds = premise.holds](const ResolvedCase& in, std::string_view) {
                 return in.model() == Row::model && holds(machine_asked_for<Inputs>(in));
