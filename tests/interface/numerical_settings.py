@@ -101,8 +101,6 @@ KNOWN = (
     Known(r"simulation.length_error", r"/points/\d+/roller_slip", 0.0, "idle rollers are caught a little later with longer steps", floor=0.012, moving=True),
     Known(r"simulation.exchange.extrapolation", r"/(points|peak)/", math.inf,
           "forces that are held over a window, of order 0, push the bearings at the rate of the windows: such rows are warned of (test below)", moving=True),
-    Known("simulation.exchange.window", r"/points/\d+/(inner_load_max_N|outer_load_max_N|static_safety)", 0.05,
-          "the largest loads are 0.9 % high at 5 us and 3.8 % at 10 us, where the printed residual is above 1 % (docs/coupled_steady_state.md)", moving=True),
     Known(f"traction.(rows|slices)|{MOTION}", r"/(heat_error_W|cage_slip_error)", math.inf,
           "the printed error of a mean, estimated from ten parts of one motion", moving=True),
     Known("simulation.settling_band", r"/slip_settling_s", math.inf, "the time after which the slip stays in the band", moving=True),
