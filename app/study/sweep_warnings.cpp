@@ -222,8 +222,8 @@ void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
       outcome,
       fmt::format(
           "co-simulation: the exchange makes or loses more than {:g} % of the power that passes (column "
-          "interface_energy_residual). Its pushes load the bearings, and lives are too short: in the 150 kW "
-          "reducer by 4 % where it is 1.1 %, by 45 % where it is 6.5 %. Use "
+          "interface_energy_residual). Its pushes load the bearings: in the 150 kW reducer loads are 4 % too "
+          "large and lives 4 % too short where it is 1.1 %, 42 % and 45 % where it is 6.5 %. Use "
           "simulation.exchange.extrapolation: 1, a shorter simulation.exchange.window, or "
           "--fidelity monolithic",
           100.0 * most_residual),
