@@ -22,8 +22,6 @@ constexpr std::pair<use::Analysis, const char*> kNames[] = {
     {use::mesh, "mesh"},
     {use::fmu_bearing, "fmu --model bearing"},
     {use::fmu_gearset, "fmu --model gearset"},
-    {use::defect, "run of a bearing with scratches"},
-    {use::moving_defect, "run --fidelity dynamic of a bearing with scratches"},
     {use::planet_defect, "run of a set with a scratched planet bearing"},
     {use::planet_stiffness, "stiffness of a planet bearing"},
     {use::carrier, "carrier"},

@@ -25,6 +25,11 @@ struct AnalysisResult {
   std::optional<analysis::LifeTable> lives{};                // that requirements limit
 };
 
+/// Columns are of lives: a vibration has none but the largest load [N].
+inline void put_largest_load(double largest, AnalysisResult& result) {
+  result.row = {{"inner_load_max_N", largest}, {"outer_load_max_N", largest}};
+}
+
 /// Options of a caller besides the result.
 struct AnalysisOptions {
   std::function<void(double)> progress{};  // gets the share done

@@ -1,13 +1,10 @@
-// From a resolved case of the model raceway-defect to a bearing with scratches, and to the settings of its
-// signal.
+// Checks of drivetrains with a scratched planet bearing.
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <string>
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/diagnosis/spectrum.hpp"
-#include "coupling/study/scratch_run.hpp"
 #include "gearset/parameters.hpp"
 
 namespace orbearing::app {
@@ -18,21 +15,7 @@ bool is_planet_defect(const ResolvedCase& resolved);
 /// The member of one of several sets that the housing holds; none: all of them turn.
 std::optional<gearset::Member> held_member_of(const ResolvedCase& resolved, const std::string& set);
 
-bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
-
-/// Balls, cage and oil of such a case, for run --fidelity dynamic. Throws BadInput where an input that only
-/// this fidelity requires is missing, or where a ball is scratched.
-bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& resolved);
-
-/// [m]  error of a position that one step of that run may make
-double scratched_length_error_of(const ResolvedCase& resolved);
-
-study::Sampling sampling_of(const ResolvedCase& resolved);
-
-/// The band of the envelope that the case gives; none: the one of largest spectral kurtosis.
-std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& resolved);
-
-/// Adds what is wrong; nothing for cases of other models.
+/// Adds what is wrong; nothing for other cases.
 void check_defect(CheckedCase& resolved);
 /// The same for a drivetrain of several sets, whose sets and shafts are checked before.
 void check_defect_of_sets(CheckedCase& resolved);

@@ -23,23 +23,21 @@ unsigned holding(described::Physics physics) {
       {central_teeth, use::gears_in_motion | use::natural | use::mesh},
       {output, 0},
       {gear_motion, use::gears_in_motion},
-      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect | use::defect |
-                    use::planet_stiffness},
-      {carrier,
-       use::lives | use::bearings_as_springs | use::fmu_bearing | use::moving_defect | use::planet_stiffness},
+      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness},
+      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness},
       {carrier_body, use::carrier},
       {walls, use::gears_in_motion | use::natural | use::rollers_in_motion},
-      {pin, use::rollers_in_motion | use::bearings_as_springs | use::moving_defect},
+      {pin, use::rollers_in_motion | use::bearings_as_springs},
       {load_sharing, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets},
       {positions, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh},
       {at_rest, use::rollers_at_rest | use::in_time | use::bearings_as_springs},
-      {motion, use::rollers_in_motion | use::moving_defect},
+      {motion, use::rollers_in_motion},
       {euler, use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing},
       {life, use::lives | use::fmu_bearing},
       {run, use::in_time},
       {run_up, use::dynamic | use::dynamic_of_sets},
-      {single_bearing, use::moving_defect | use::defect},
-      {defect, use::defect | use::moving_defect | use::planet_defect},
+      {single_bearing, 0},  // of machines whose cases are types
+      {defect, use::planet_defect},
       {exchange, use::co_simulated}};
   return std::ranges::find(holders, physics, &std::pair<described::Physics, unsigned>::first)->second;
 }
@@ -99,8 +97,6 @@ const Exception exceptions[] = {
     {{"bearing.rows.contact_angle", "bearing.rows.arrangement", "bearing.rows.distance",
       "bearing.rows.preload", "bearing.rows.approach", "bearing.balls", "bearing.ball_diameter"},
      but_at_rest},
-    // Contacts and oil of the whole motion have damping and steps of their own.
-    {{"contact.damping_ratio", "contact.damping_model", "signal.length_error"}, 0, use::moving_defect},
     {{"simulation.load_error_share"}, 0, 0, use::fmu_bearing},  // whose loads are not known before
     // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
     {{"gearset.stepped_planet.teeth", "gearset.stepped_planet.module", "gearset.stepped_planet.profile_shift",
@@ -285,7 +281,7 @@ Use with_own_condition(const Use& use, const described::Facts& facts) {
 
 Use with_friction_and_heat(const Use& use, std::string_view path) {
   // Besides the friction of the races, others build up over the same sliding speed.
-  constexpr unsigned moving = use::rollers_in_motion | use::moving_defect | use::planet_defect;
+  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
   if (path == "traction.sliding_scale")
     return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
         .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
@@ -294,8 +290,6 @@ Use with_friction_and_heat(const Use& use, std::string_view path) {
                   {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
   if (path == "traction.largest_barus_exponent")
     return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
-  if (path == "traction.limiting_friction")
-    return use.used_too(use::moving_defect, where("traction.law", {"ree-eyring"}));
   if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
   if (path == "heat.viscosity_slope")
     return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));

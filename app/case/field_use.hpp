@@ -41,12 +41,10 @@ enum Analysis : unsigned {
   mesh = 1u << 9,
   fmu_bearing = 1u << 10,
   fmu_gearset = 1u << 11,
-  defect = 1u << 12,         // run of a bearing with scratches, on balls without mass
-  moving_defect = 1u << 13,  // run of a bearing with scratches, all of it in motion
-  planet_stiffness = 1u << 14,
-  planet_defect = 1u << 15,     // run of a drivetrain with a scratched planet bearing
-  carrier = 1u << 16,           // the carrier as a body, over a revolution
-  first_of_machines = 1u << 17  // and those after it: rows of app/case/machine_rows.hpp
+  planet_stiffness = 1u << 12,
+  planet_defect = 1u << 13,     // run of a drivetrain with a scratched planet bearing
+  carrier = 1u << 14,           // the carrier as a body, over a revolution
+  first_of_machines = 1u << 15  // and those after it: rows of app/case/machine_rows.hpp
 };
 
 /// Analyses that share their physics.
@@ -61,7 +59,7 @@ inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearse
 inline constexpr unsigned of_a_drivetrain =
     lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect | carrier;
 /// All but those of machines, whose uses are beside these (Field::use_in).
-inline constexpr unsigned all = of_a_drivetrain | defect | moving_defect;
+inline constexpr unsigned all = of_a_drivetrain;
 }  // namespace use
 
 /// Condition under which a field has an effect: one of `paths` has one of `values`; without values, it is

@@ -15,6 +15,7 @@
 #include "coupling/analysis/contact_film.hpp"
 #include "coupling/analysis/duplex_run.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
+#include "coupling/analysis/scratched_bearing.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::app {
@@ -51,6 +52,10 @@ struct RowsOf {
 };
 /// File of a result folder that holds what `run --json` prints of a ball bearing in time.
 inline constexpr const char* ball_file_name = "ball.json";
+/// The same of a bearing with scratches, or a gear set with one.
+inline constexpr const char* defect_file_name = "defect.json";
+/// Progress of a signal.
+inline constexpr ProgressLine signal_progress{"signal, in hundredths: ", 100};
 
 namespace machine_rows {
 
@@ -94,6 +99,19 @@ struct BallsInTime {
       RowsOf<analysis::BallsInTime, analysis::LoadOnRing, analysis::ViscosityRatio, analysis::OilOfLife>;
   static constexpr Model model = described::ball_motion;
   static constexpr std::string_view prefix = "";
+};
+
+struct ScratchedBalls {
+  using Type = analysis::ScratchedBallBearing;
+  using Checked = RowsOf<analysis::ScratchOfBalls, analysis::SampledRing, analysis::RingOnBalls>;
+  static constexpr Model model = described::raceway_defect;
+  static constexpr std::string_view prefix = "defect.";
+};
+struct ScratchedRollers {
+  using Type = analysis::RingOnRollers;
+  using Checked = RowsOf<analysis::ScratchOfRollers, analysis::SampledRing, analysis::RingOnRollers>;
+  static constexpr Model model = described::roller_defect;
+  static constexpr std::string_view prefix = "defect.";
 };
 
 struct MeshesOfPair {
@@ -176,14 +194,48 @@ struct StiffnessOfBalls : StiffnessOfSingleBearing {
   static constexpr double scatter = app::scatter::of_balls;
 };
 
+struct RunOfScratches {
+  static constexpr std::string_view command = "run";
+  static constexpr const char* name = "run of a bearing with scratches";
+  static constexpr const char* other_fidelity =
+      "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the "
+      "bearing in motion";
+  static constexpr ResultNames names{"defect", "vibration of a bearing with scratches", defect_file_name};
+  static constexpr double scatter = app::scatter::in_motion;
+};
+struct RingOnBalls : RunOfScratches {
+  static constexpr auto analyse = analysis::ring_on_balls;
+  static constexpr Model model = described::raceway_defect;
+};
+struct RingOnRollers : RunOfScratches {
+  static constexpr auto analyse = analysis::ring_on_rollers;
+  static constexpr Model model = described::roller_defect;
+  static constexpr const char* other_fidelity =
+      "none for a single scratched bearing of rollers, or a planetary drivetrain with a block 'defect', where "
+      "all of its bearings move";
+};
+struct ScratchedBallsInMotion : RunOfScratches {
+  static constexpr auto analyse = analysis::moving_scratched_balls;
+  static constexpr Model model = described::raceway_defect;
+  static constexpr const char* name = "run --fidelity dynamic of a bearing with scratches";
+  static constexpr const char* required_since = "the cage moves too";
+  static constexpr ResultNames names{"defect, all in motion", RunOfScratches::names.title, defect_file_name};
+  static constexpr ProgressLine progress = signal_progress;
+  static double simulated(const analysis::ScratchedBallsInMotion& in) {
+    return analysis::time_of_signal(in.of);
+  }
+};
+
 }  // namespace machine_rows
 
 using Machines = RowsOf<machine_rows::BallsInTime, machine_rows::RollerBearing, machine_rows::BallBearing,
-                        machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm>;
+                        machine_rows::PairOfGears, machine_rows::DuplexPair, machine_rows::SpinFilm,
+                        machine_rows::ScratchedBalls, machine_rows::ScratchedRollers>;
 using MachineAnalyses =
     RowsOf<machine_rows::RollersUnderLoad, machine_rows::BallsUnderLoad, machine_rows::RunOfBalls,
            machine_rows::StiffnessOfRollers, machine_rows::StiffnessOfBalls, machine_rows::MeshesOfPair,
-           machine_rows::DuplexModes, machine_rows::DuplexRun, machine_rows::FilmOfContact>;
+           machine_rows::DuplexModes, machine_rows::DuplexRun, machine_rows::FilmOfContact,
+           machine_rows::RingOnBalls, machine_rows::RingOnRollers, machine_rows::ScratchedBallsInMotion>;
 
 /// Gets the share of a motion that is done [-].
 using ShareDone = std::function<void(double)>;

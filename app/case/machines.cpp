@@ -16,6 +16,7 @@ namespace {
 
 template <class Row>
 auto found_for(const ResolvedCase& in, const AnalysisOptions& options) {
+  if constexpr (requires { InputsOfRow<Row>::required(); }) require_inputs<Row>(in);
   const auto inputs = machine_of<InputsOfRow<Row>>(in);
   if constexpr (std::is_invocable_v<decltype(Row::analyse), decltype(inputs), const ShareDone&>)
     return Row::analyse(inputs, options.progress);
@@ -31,6 +32,9 @@ AnalysisResult computed(const ResolvedCase& in, const AnalysisOptions& options) 
   result.warnings = found.warnings;
   if constexpr (requires { found.failed(); }) result.failed = found.failed();
   if constexpr (is_rated<ResultOfRow<Row>>) result.lives = found.life_table();
+  if constexpr (requires { found.largest_load(); }) put_largest_load(found.largest_load(), result);
+  if constexpr (requires { found.files(); })
+    if (options.files) result.files = found.files();
   return result;
 }
 

@@ -1,6 +1,9 @@
 // Checks, results and analyses of machines whose cases are types, by their rows in machine_rows.hpp.
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +41,17 @@ auto result_for(const ResolvedCase& in, const Compute& compute) {
   } catch (const mechanics::NoResult& failure) {
     throw ComputationFailed(in.text("name") + ": " + failure.what());
   }
+}
+
+/// Throws BadInput where the case has no input of those that this analysis of the machine alone requires.
+template <class Row>
+void require_inputs(const ResolvedCase& in) {
+  std::vector<std::string> missing = InputsOfRow<Row>::required();
+  std::erase_if(missing, [&](const std::string& path) { return in.has(path); });
+  if (!missing.empty())
+    throw BadInput(fmt::format(
+        "--fidelity: found dynamic for a case without {}; required: all of them, since {}, or no --fidelity",
+        fmt::join(missing, ", "), Row::required_since));
 }
 
 /// Mistakes in the inputs of a machine: missing values, or values that do not fit together.

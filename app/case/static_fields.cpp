@@ -1,5 +1,4 @@
-// Fields of bearings besides those of their members: ratings and lives of planet bearings, scratches and
-// their signal.
+// Fields of planet bearings besides those of their members: ratings and lives, scratches and their signal.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machine_fields.hpp"
@@ -80,22 +79,13 @@ void add_life(std::vector<Field>& fields) {
 }
 
 void add_defects(std::vector<Field>& fields) {
-  fields.push_back(field_of_row<analysis::RingRotation>("operation.shaft_speed", described::single_scratched,
-                                                        Use(use::defect | use::moving_defect, 0)));
-  add_described(fields, bearing::defect::VibratingRing{});
   add_described(fields, bearing::defect::Scratch{});
-  add_described(fields, study::Sampling{});
   add_described(fields, study::ScratchedPosition{});
   add_described(fields, study::PlanetSampling{});
   Rows(fields, planetary_drivetrain)
       .text("defect.set", "set with the scratched bearing, of several sets", Use(use::planet_defect, 0));
-  Rows(fields, scratched_bearings)
-      .quantity("signal.band",
-                "lower and upper end of the band whose envelope is taken; left out: the band of largest "
-                "spectral kurtosis",
-                Use(use::defect | use::moving_defect | use::planet_defect, 0), dimension::frequency,
-                positive(1e5))
-      .listed();
+  fields.push_back(field_of_row<analysis::EnvelopeBand>("signal.band", planetary_drivetrain,
+                                                        Use(use::planet_defect, 0)));
 }
 
 }  // namespace

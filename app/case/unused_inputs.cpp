@@ -239,8 +239,6 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
     if (Row::model == resolved.model()) allowed |= use_of_machine_analysis(number);
   });
-  if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
-  if (resolved.model() == roller_defect) allowed = use::defect;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness |

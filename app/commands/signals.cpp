@@ -20,7 +20,7 @@
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
-#include "app/study/defect_study.hpp"
+#include "app/study/scratch_case.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/study/parallel.hpp"
 #include "mechanics/cancellation.hpp"
@@ -173,7 +173,8 @@ void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibratio
 }
 
 // Labels for the training of a diagnosis: scratched part, speed, load, size, frequencies, level.
-void describe_labels(described::Record& record, const ResolvedCase& in, const DefectStudy& study,
+void describe_labels(described::Record& record, const ResolvedCase& in,
+                     const analysis::ScratchedVibration& study,
                      const SignalNoise& noise) {
   namespace dimension = described::dimension;
   const auto of_scratch = [&](const char* path) {
@@ -204,7 +205,7 @@ void describe_labels(described::Record& record, const ResolvedCase& in, const De
   frequency("sampling_rate_Hz", "samples a second", study.vibration.rate);
   record.value("samples", "of the signal", signal.size());
   record.value("rms_m_s2", dimension::acceleration, "root mean square of the outer ring along the load",
-               root_mean_square(signal));
+               analysis::root_mean_square(signal));
   record.value("max_m_s2", dimension::acceleration, "largest magnitude", signal.abs().maxCoeff());
   record.value("noise_m_s2", dimension::acceleration, "root mean square of the instrument's noise",
                noise.rms);
@@ -250,11 +251,11 @@ void describe_signal(Record& labels, std::size_t number, const std::string& file
 
 // Labels as they are described, whether computed now or earlier.
 Record form_of_labels(const ResolvedCase& resolved) {
-  DefectStudy study{.rollers = resolved.model() == described::roller_defect};
+  analysis::ScratchedVibration study{.rollers = resolved.model() == described::roller_defect};
   study.vibration.acceleration = Eigen::Array2Xd::Zero(2, 1);
   Record record;
   record.table("signals", "signal", "with what they are labelled", std::array{study},
-               [&](Record& row, const DefectStudy& of) {
+               [&](Record& row, const analysis::ScratchedVibration& of) {
                  describe_signal(row, 0, "signals/00000.csv", {});
                  describe_labels(row, resolved, of, {});
                });
@@ -289,8 +290,10 @@ class SignalSet {
       const std::size_t number = missing[location];
       const ResolvedCase changed = resolved_.with(variants_[number]);
       const SignalNoise noise{options_.noise, options_.seed};
-      const DefectStudy study = defect_study(
-          changed, rung(), {}, [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
+      const analysis::ScratchedVibration study =
+          scratched_vibration(changed, moving_parts(), [&](study::RingVibration& vibration) {
+            add_noise(noise, number, vibration);
+          });
       const std::scoped_lock lock(one_writer);
       labels_[number] = labelled(number, changed, study, noise);
       if (!folder_.path().empty()) keep(number, study);
@@ -308,9 +311,11 @@ class SignalSet {
   const std::vector<Json>& labels() const { return labels_; }
 
  private:
-  DefectRung rung() const { return options_.fidelity == "dynamic" ? DefectRung::all : DefectRung::ring; }
+  MovingParts moving_parts() const {
+    return options_.fidelity == "dynamic" ? MovingParts::all : MovingParts::ring;
+  }
 
-  Json labelled(std::size_t number, const ResolvedCase& changed, const DefectStudy& study,
+  Json labelled(std::size_t number, const ResolvedCase& changed, const analysis::ScratchedVibration& study,
                 const SignalNoise& noise) const {
     Record labels;
     describe_signal(labels, number, folder_.path().empty() ? "" : fmt::format("signals/{:05}.csv", number),
@@ -319,11 +324,17 @@ class SignalSet {
     return json_of(labels);
   }
 
-  void keep(std::size_t number, const DefectStudy& study) {
-    write_aside_and_rename({{signal_file(folder_, number, ".csv"), signal_csv(study)},
-                            {signal_file(folder_, number, ".wav"), signal_wav(study)},
-                            {signal_file(folder_, number, ".json"), labels_[number].dump(2) + "\n"}});
-    const AnalysisResult result = defect_result(study, false);
+  void keep(std::size_t number, const analysis::ScratchedVibration& study) {
+    const auto contents = study.files();
+    const std::string labels = labels_[number].dump(2) + "\n";
+    std::vector<FileContent> files;
+    for (const auto& [name, content] : contents)
+      files.push_back(
+          {signal_file(folder_, number, std::filesystem::path(name).extension().c_str()), content});
+    files.push_back({signal_file(folder_, number, ".json"), labels});
+    write_aside_and_rename(files);
+    AnalysisResult result{.record = record_of(study)};
+    put_largest_load(study.largest_load(), result);
     folder_.keep({{number, result_file(header_, analysis_of(resolved_)->names.title, result.record),
                    row_of_numbers(result.row, header_)}});
   }

@@ -12,7 +12,6 @@
 #include "app/case/field_use.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/defect_study.hpp"
 
 namespace orbearing::app {
 
@@ -46,11 +45,5 @@ const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fid
 
 /// The gears of a drivetrain without the dynamics of its bearings, whatever its row.
 const Analysis& gears_alone();
-
-/// The signal of a scratched bearing in every form.
-AnalysisResult defect_result(const DefectStudy& study, bool files);
-
-/// File of a result folder that holds what `run --json` prints of a bearing with scratches.
-inline constexpr const char* defect_file_name = "defect.json";
 
 }  // namespace orbearing::app

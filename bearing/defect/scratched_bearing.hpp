@@ -74,20 +74,15 @@ template <class Visitor>
 void describe(Visitor& visit, VibratingRing& m) {
   using namespace described;
   members(visit, m,
-          field(m.mass, "bearing.outer_ring_mass", Physics::defect,
-                "mass of the outer ring and of what moves with it",
-                {.models = single_scratched,
-                 .required_by = single_scratched,
-                 .dimension = dimension::mass,
-                 .range = positive(1e6)}),
-          field(m.damping_ratio, "contact.damping_ratio", Physics::defect,
+          input(m.mass, "bearing.outer_ring_mass", "mass of the outer ring and of what moves with it",
+                {.dimension = dimension::mass, .range = positive(1e6)}),
+          input(m.damping_ratio, "contact.damping_ratio",
                 "damping of the ring's vibration along the load, over the critical one",
-                {.models = single_scratched,
-                 .range = {0.0, 1.0},
+                {.range = {0.0, 1.0},
                  .reason = "within 0.25e-5 to 2.5e-5 s times the stiffness, usual for rolling bearings"}),
-          field(m.damping_law, "contact.damping_model", Physics::defect,
+          input(m.damping_law, "contact.damping_model",
                 "damping of a contact: of its speed alone, or of its load and speed",
-                {.models = single_scratched, .reason = "as the source writes it"}));
+                {.reason = "as the source writes it"}));
 }
 
 /// [N]

@@ -5,6 +5,7 @@
 
 #include "bearing/equilibrium/row_group.hpp"
 #include "bearing/motion/starvation.hpp"
+#include "coupling/analysis/friction_conditions.hpp"
 #include "mechanics/constants.hpp"
 #include "mechanics/number_text.hpp"
 
@@ -270,13 +271,9 @@ namespace {
 
 namespace motion = bearing::motion;
 
-const bearing::balls::MotionParameters& moving(const BallsInTime& in) {
-  return in.simulation.motion;
-}
-
 Premise<BallsInTime> oil_is_stirred() {
   return {.on = {"drag.enabled"},
-          .holds = [](const BallsInTime& in) { return moving(in).drag.on; },
+          .holds = [](const BallsInTime& in) { return moving_balls(in).drag.on; },
           .value = "true"};
 }
 Premise<BallsInTime> is_heated() {
@@ -285,47 +282,22 @@ Premise<BallsInTime> is_heated() {
           .value = "true"};
 }
 
-// Besides the friction of the races, that of the cage builds up over the same sliding speed, and other laws
-// have the same limit.
-std::vector<Conditional<BallsInTime>> conditions_of_friction() {
-  using In = BallsInTime;
-  using bearing::TractionLaw;
-  return {{.keys = {"traction.sliding_scale"},
-           .premises = {{.on = {"bearing.cage.pocket_friction"},
-                         .holds = [](const In& in) { return moving(in).cage.pocket_friction != 0.0; }}},
-           .beside_row = true},
-          {.keys = {"traction.sliding_scale"},
-           .premises = {{.on = {"bearing.cage.guide_land_diameter"},
-                         .holds = [](const In& in) { return moving(in).cage.guide_diameter != 0.0; }}},
-           .beside_row = true},
-          {.keys = {"traction.limiting_friction"},
-           .premises = {{.on = {"traction.law"},
-                         .holds =
-                             [](const In& in) { return moving(in).race.traction == TractionLaw::ree_eyring; },
-                         .value = "ree-eyring"}},
-           .beside_row = true},
-          {.keys = {"traction.largest_barus_exponent"},
-           .premises = {{.on = {"traction.law"},
-                         .holds = [](const In& in) { return nature_of(moving(in).race.traction).shears_oil; },
-                         .value = "limiting-shear|ree-eyring"}}}};
-}
-
 std::vector<Conditional<BallsInTime>> conditions_of_oil_flow() {
   using In = BallsInTime;
   using namespace bearing::balls;
   return {
       {.keys = {"lubricant.share"},
        .premises = {{.on = {"lubricant.fill"},
-                     .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::stated; },
+                     .holds = [](const In& in) { return moving_balls(in).mixture.fill == OilFill::stated; },
                      .text = "where lubricant.fill is stated"}}},
       {.keys = {"lubricant.flow"},
        .premises = {{.on = {"drag.mixture"},
-                     .holds = [](const In& in) { return moving(in).mixture.motion == OilMotion::carried; },
+                     .holds = [](const In& in) { return moving_balls(in).mixture.motion == OilMotion::carried; },
                      .value = "carried"},
                     oil_is_stirred()}},
       {.keys = {"lubricant.flow"},
        .premises = {{.on = {"lubricant.fill"},
-                     .holds = [](const In& in) { return moving(in).mixture.fill == OilFill::parker; },
+                     .holds = [](const In& in) { return moving_balls(in).mixture.fill == OilFill::parker; },
                      .value = "parker"},
                     oil_is_stirred()}},
       {.keys = {"lubricant.flow"}, .premises = {is_heated()}}};
@@ -336,7 +308,7 @@ std::vector<Conditional<BallsInTime>> conditions_of_heat() {
   return {
       {.keys = {"heat.inlet"},
        .premises = {{.on = {"lubricant.flow"},
-                     .holds = [](const In& in) { return moving(in).mixture.flow > 0.0; }}}},
+                     .holds = [](const In& in) { return moving_balls(in).mixture.flow > 0.0; }}}},
       {.keys = {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
                 "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
                 "heat.expansion", "heat.sizes_temperature"},
@@ -356,7 +328,7 @@ std::vector<Conditional<BallsInTime>> conditions_of_heat() {
 }  // namespace
 
 std::vector<Conditional<BallsInTime>> BallsInTime::conditions() {
-  std::vector<Conditional<BallsInTime>> all = conditions_of_friction();
+  std::vector<Conditional<BallsInTime>> all = conditions_of_ball_friction<BallsInTime>();
   append(conditions_of_oil_flow(), all);
   append(conditions_of_heat(), all);
   append({reliability_with_oil<BallsInTime>(), lubrication<BallsInTime>()}, all);
@@ -472,7 +444,7 @@ mechanics::Problems problems(const OilOfRollers& machine) {
 
 mechanics::Problems problems(const BallsInTime& machine) {
   const bearing::Bearing& bearing = machine.loaded.bearing;
-  const bearing::balls::MotionParameters& motion = moving(machine);
+  const bearing::balls::MotionParameters& motion = moving_balls(machine);
   const bearing::balls::MixtureParameters& mixture = motion.mixture;
   const system::HeatParameters& heat = machine.simulation.heat;
   const equilibrium::RingLoad& load = machine.loaded.load;

@@ -256,6 +256,9 @@ struct BallsInTime {
   /// Inputs that would change the motion and cannot be included.
   static std::vector<std::string> refused() { return {"load.tilt"}; }
 };
+inline const bearing::balls::MotionParameters& moving_balls(const BallsInTime& in) {
+  return in.simulation.motion;
+}
 template <class Visitor>
 void describe(Visitor& visit, BallsInTime& m) {
   using namespace described;

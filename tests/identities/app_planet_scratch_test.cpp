@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/case/case_file.hpp"
-#include "app/study/defect_study.hpp"
+#include "app/study/scratch_case.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "tests/coupled_reducer.hpp"
@@ -20,18 +20,19 @@
 namespace orbearing::app::app_planet_scratch_test {
 namespace {
 
+using analysis::ScratchedSetVibration;
 using diagnosis::Spectrum;
 
 // Each takes seconds: a study for several tests is computed once. A scratch of the pin remains in the load
 // zone and is clear in a short signal; scratches that pass it now and then require a longer one.
-const PlanetDefectStudy& study_of(std::vector<std::string> settings, int carrier_revolutions = 6) {
-  static std::map<std::vector<std::string>, PlanetDefectStudy> studies;
+const ScratchedSetVibration& study_of(std::vector<std::string> settings, int carrier_revolutions = 6) {
+  static std::map<std::vector<std::string>, ScratchedSetVibration> studies;
   settings.insert(settings.begin(), "signal.carrier_revolutions=" + std::to_string(carrier_revolutions));
   auto found = studies.find(settings);
   if (found == studies.end())
     found = studies
-                .emplace(settings, planet_defect_study(read_point(
-                                       ORBEARING_SOURCE_DIR "/cases/planet_scratch/case.yaml", settings)))
+                .emplace(settings, vibration_of_scratched_set(scratched_set_of(read_point(
+                                       ORBEARING_SOURCE_DIR "/cases/planet_scratch/case.yaml", settings))))
                 .first;
   return found->second;
 }
@@ -54,7 +55,7 @@ constexpr double kClear = 4.0;   // a line is clear: so many times the median of
 constexpr double kBuried = 3.0;  // the largest of three neighbours of noise rarely exceeds it
 
 TEST(PlanetScratch, OuterRaceGivesItsLineWithSideBandsOfThePlanetInTheCarriersFrame) {
-  const PlanetDefectStudy& study = study_of({"defect.race=outer"});
+  const ScratchedSetVibration& study = study_of({"defect.race=outer"});
   const auto& at = study.turned;
   EXPECT_NEAR(at.bearing.outer_pass, study.rolling.bearing.outer_pass, 0.01 * at.bearing.outer_pass);
   const Spectrum& lines = study.carrier.envelope_spectrum;
@@ -73,7 +74,7 @@ TEST(PlanetScratch, OuterRaceGivesItsLineWithSideBandsOfThePlanetInTheCarriersFr
 }
 
 TEST(PlanetScratch, InnerRaceStandsAndGivesItsLineAlone) {
-  const PlanetDefectStudy& study = study_of({"defect.race=inner"}, 3);
+  const ScratchedSetVibration& study = study_of({"defect.race=inner"}, 3);
   const auto& at = study.turned;
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double own = level(lines, at.bearing.inner_pass);
@@ -86,7 +87,7 @@ TEST(PlanetScratch, InnerRaceStandsAndGivesItsLineAlone) {
 // One damaged planet passes the sensor: both side bands of the carrier remain. They are absent in the
 // carrier's own frame.
 TEST(PlanetScratch, HousingSeesSideBandsOfTheCarrier) {
-  const PlanetDefectStudy& study = study_of({"defect.race=inner"}, 3);
+  const ScratchedSetVibration& study = study_of({"defect.race=inner"}, 3);
   const auto& at = study.turned;
   const Spectrum& lines = study.housing.envelope_spectrum;
   const double own = level(lines, at.bearing.inner_pass);
@@ -98,14 +99,14 @@ TEST(PlanetScratch, HousingSeesSideBandsOfTheCarrier) {
 }
 
 TEST(PlanetScratch, ScratchOfThePinOutsideTheLoadZoneGivesNothing) {
-  const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.angle=180 deg"}, 3);
+  const ScratchedSetVibration& study = study_of({"defect.race=inner", "defect.angle=180 deg"}, 3);
   const Spectrum& lines = study.carrier.envelope_spectrum;
   EXPECT_LT(level(lines, study.turned.bearing.inner_pass), kBuried * floor_of(lines, 2000.0));
 }
 
 TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
-  const PlanetDefectStudy& study = study_of({"defect.race=roller", "defect.element=4"});
+  const ScratchedSetVibration& study = study_of({"defect.race=roller", "defect.element=4"});
   const auto& at = study.turned;
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
@@ -118,7 +119,7 @@ TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   // Six revolutions: besides the pin's scratch, whose impacts are in the whole spectrum, the bore's line is
   // above the floor by a factor of 3.0 to 5.1 in six starts, of 1.8 to 3.3 in half the turns.
-  const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.also=outer"});
+  const ScratchedSetVibration& study = study_of({"defect.race=inner", "defect.also=outer"});
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
   EXPECT_GT(level(lines, study.turned.bearing.inner_pass), kClear * floor);
@@ -129,7 +130,7 @@ TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
 // 79 teeth, four planets: of the first harmonic and its side bands only line 80 of the carrier is left, of
 // the third only line 236; the others cancel between the planets.
 TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
-  const PlanetDefectStudy& study = study_of({"defect.race=none"}, 3);
+  const ScratchedSetVibration& study = study_of({"defect.race=none"}, 3);
   const Spectrum& lines = study.housing.spectrum;
   const auto of = [&](int turns) { return level(lines, turns * study.rolling.carrier); };
   for (const int gone : {79, 78, 158, 157, 159}) EXPECT_LT(of(gone), 0.05 * of(80)) << gone;
@@ -150,7 +151,7 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
 // A measured table instead of a form; and a run-up whose lines are orders of the carrier.
 TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
   if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
-  const PlanetDefectStudy& study =
+  const ScratchedSetVibration& study =
       study_of({"defect.race=inner", "defect.form=profile", "defect.profile=[0, 0.2, 1, 1, 0.4, 0]",
                 "signal.run_up_from=0.5"});
   const double order = study.turned.bearing.inner_pass / study.turned.carrier;

@@ -5,24 +5,26 @@
 #include <cmath>
 
 #include "app/case/case_file.hpp"
-#include "app/study/defect_study.hpp"
+#include "app/study/scratch_case.hpp"
 
 namespace orbearing::app {
 namespace app_scratch_vibration_test {
 namespace {
 
+using analysis::ScratchedVibration;
+
 constexpr double kHalfPercent = 0.005;
 
-DefectStudy study_of(std::vector<std::string> settings) {
+ScratchedVibration study_of(std::vector<std::string> settings) {
   settings.insert(settings.end(), {"signal.revolutions=30"});
-  return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml", settings));
+  return scratched_vibration(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml", settings));
 }
 
 // The same case, all of the bearing in motion. A shorter signal at a lower rate.
-DefectStudy study_in_motion(const std::string& race) {
-  return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
+ScratchedVibration study_in_motion(const std::string& race) {
+  return scratched_vibration(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
                                 {"defect.race=" + race, "signal.revolutions=12", "signal.sampling_rate=25.6 kHz"}),
-                      DefectRung::all);
+                      MovingParts::all);
 }
 
 const diagnosis::NamedPeak* peak(const std::vector<diagnosis::NamedPeak>& peaks, const std::string& is) {
@@ -31,7 +33,7 @@ const diagnosis::NamedPeak* peak(const std::vector<diagnosis::NamedPeak>& peaks,
   return found == peaks.end() ? nullptr : &*found;
 }
 
-void expect_peak(const DefectStudy& study, const std::string& is, double frequency) {
+void expect_peak(const ScratchedVibration& study, const std::string& is, double frequency) {
   const diagnosis::NamedPeak* found = peak(study.view.envelope_peaks, is);
   ASSERT_NE(found, nullptr) << is;
   EXPECT_NEAR(found->frequency, frequency, kHalfPercent * frequency) << is;
@@ -39,7 +41,7 @@ void expect_peak(const DefectStudy& study, const std::string& is, double frequen
 
 // All passings equal: the line and its harmonics, nothing between them.
 TEST(ScratchVibration, OuterRace) {
-  const DefectStudy study = study_of({"defect.race=outer"});
+  const ScratchedVibration study = study_of({"defect.race=outer"});
   expect_peak(study, "outer race defect", 76.3);
   expect_peak(study, "2 x outer race defect", 2.0 * 76.3);
   EXPECT_EQ(study.view.envelope_peaks.front().is, "outer race defect");
@@ -49,7 +51,7 @@ TEST(ScratchVibration, OuterRace) {
 
 // The scratch passes the load zone once a turn of the shaft.
 TEST(ScratchVibration, InnerRace) {
-  const DefectStudy study = study_of({"defect.race=inner"});
+  const ScratchedVibration study = study_of({"defect.race=inner"});
   expect_peak(study, "inner race defect", 123.7);
   expect_peak(study, "2 x inner race defect", 2.0 * 123.7);
   expect_peak(study, "shaft", 25.0);
@@ -59,20 +61,20 @@ TEST(ScratchVibration, InnerRace) {
 
 // A run-up, whose lines are smeared over frequency, has them at orders of the shaft.
 TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
-  const auto order = [](const DefectStudy& study, const std::string& is, double expected) {
+  const auto order = [](const ScratchedVibration& study, const std::string& is, double expected) {
     const diagnosis::NamedPeak* found = peak(study.view.envelope_peaks, is);
     ASSERT_NE(found, nullptr) << is;
     EXPECT_NEAR(found->frequency, expected, kHalfPercent * expected) << is;
   };
   const auto run_up = [](const std::string& race) {
-    return defect_study(
+    return scratched_vibration(
         read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
                   {"defect.race=" + race, "signal.run_up_from=0.5", "signal.revolutions=16"}));
   };
-  const DefectStudy outer = run_up("outer");
+  const ScratchedVibration outer = run_up("outer");
   order(outer, "outer race defect", 76.27 / 25.0);
   order(outer, "2 x outer race defect", 2.0 * 76.27 / 25.0);
-  const DefectStudy inner = run_up("inner");
+  const ScratchedVibration inner = run_up("inner");
   order(inner, "inner race defect", 123.73 / 25.0);
   order(inner, "inner race defect - shaft", 123.73 / 25.0 - 1.0);
   order(inner, "inner race defect + shaft", 123.73 / 25.0 + 1.0);
@@ -92,23 +94,23 @@ TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
 // Hz.
 TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   const auto of = [](const std::string& race) {
-    return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml",
+    return scratched_vibration(read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml",
                                   {"defect.race=" + race, "signal.revolutions=16"}));
   };
-  const DefectStudy outer = of("outer");
+  const ScratchedVibration outer = of("outer");
   expect_peak(outer, "outer race defect", 148.08);
   for (const diagnosis::NamedPeak& one : outer.view.envelope_peaks)
     EXPECT_NE(one.is.find("outer race defect"), std::string::npos) << one.frequency << " " << one.is;
-  const DefectStudy inner = of("inner");
+  const ScratchedVibration inner = of("inner");
   expect_peak(inner, "inner race defect", 201.92);
   expect_peak(inner, "inner race defect - shaft", 201.92 - 25.0);
   expect_peak(inner, "inner race defect + shaft", 201.92 + 25.0);
-  const DefectStudy roller = of("roller");
+  const ScratchedVibration roller = of("roller");
   expect_peak(roller, "roller defect", 158.65);
   expect_peak(roller, "cage", 10.577);
   EXPECT_TRUE(peak(roller.view.envelope_peaks, "roller defect - cage") != nullptr ||
               peak(roller.view.envelope_peaks, "roller defect + cage") != nullptr);
-  const DefectStudy sound = of("none");
+  const ScratchedVibration sound = of("none");
   for (const diagnosis::NamedPeak& one : sound.view.spectrum_peaks)
     EXPECT_NE(one.is.find("roller passage"), std::string::npos) << one.frequency << " " << one.is;
 }
@@ -125,7 +127,7 @@ TEST(ScratchedRollers, ABallInThemIsRefused) {
 
 // Balls slip as they leave the load zone: the lines are at the actual cage speed.
 TEST(ScratchVibration, OuterRaceWithAllInMotion) {
-  const DefectStudy study = study_in_motion("outer");
+  const ScratchedVibration study = study_in_motion("outer");
   expect_peak(study, "outer race defect", 76.3);
   expect_peak(study, "2 x outer race defect", 2.0 * 76.3);
   EXPECT_LT(study.turned.cage, study.passing.cage);
@@ -136,7 +138,7 @@ TEST(ScratchVibration, OuterRaceWithAllInMotion) {
 }
 
 TEST(ScratchVibration, InnerRaceWithAllInMotion) {
-  const DefectStudy study = study_in_motion("inner");  // too short a signal to place 25 Hz itself
+  const ScratchedVibration study = study_in_motion("inner");  // too short a signal to place 25 Hz itself
   expect_peak(study, "inner race defect", 123.7);
   expect_peak(study, "inner race defect - shaft", 123.7 - 25.0);
 }
@@ -144,7 +146,7 @@ TEST(ScratchVibration, InnerRaceWithAllInMotion) {
 // "about 0.2 m/s2" at the most, with the period of the balls; the cage's 9.5 Hz cannot appear with equal
 // balls.
 TEST(ScratchVibration, WithoutAScratchOnlyTheBallsPass) {
-  const DefectStudy study = study_of({"defect.race=none"});
+  const ScratchedVibration study = study_of({"defect.race=none"});
   for (const std::vector<diagnosis::NamedPeak>& peaks : {study.view.envelope_peaks, study.view.spectrum_peaks}) {
     ASSERT_FALSE(peaks.empty());
     for (const diagnosis::NamedPeak& one : peaks)
@@ -157,7 +159,7 @@ TEST(ScratchVibration, WithoutAScratchOnlyTheBallsPass) {
 
 // Figs. 6a and 6b: the ball leaves the races once a turn of the cage.
 TEST(ScratchVibration, ABallLeavesTheLoadZone) {
-  const DefectStudy study = study_of({"defect.race=none"});
+  const ScratchedVibration study = study_of({"defect.race=none"});
   EXPECT_LT(study.vibration.ball_approach.minCoeff(), 0.0);
   EXPECT_LE(study.vibration.ball_load.minCoeff(), 0.0);
   EXPECT_GT(study.vibration.ball_load.maxCoeff(), 400.0);

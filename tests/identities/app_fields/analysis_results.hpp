@@ -18,7 +18,7 @@
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
-#include "app/study/defect_study.hpp"
+#include "app/study/scratch_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
@@ -176,7 +176,7 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::monolithic:
       return point_result(in, study::Fidelity::monolithic);
     case use::planet_defect:
-      return record_text(planet_defect_study(in));
+      return record_text(vibration_of_scratched_set(scratched_set_of(in)));
     case use::crown:
       return crown_result(in);
     case use::gears:
@@ -192,10 +192,6 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return machine_result(bearing_numbers(in), true);
     case use::fmu_gearset:
       return machine_result(gear_numbers(in), false);
-    case use::defect:
-      return record_text(defect_study(in));
-    case use::moving_defect:
-      return record_text(defect_study(in, DefectRung::all));
     case use::planet_stiffness:
       return record_text(stiffness_study(in));
     default:

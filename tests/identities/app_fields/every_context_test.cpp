@@ -150,9 +150,9 @@ std::vector<Context> contexts_of_single_bearings() {
        "spin_film",
        {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
        analyses_of_machine(described::spin_film, "run")},
-      {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
-      {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
-      {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};
+      {"no_scratch", "raceway_defect", {"defect.race=none"}, run_of_scratches(false)},
+      {"scratched_ball", "raceway_defect", {"defect.race=ball"}, run_of_scratches(false)},
+      {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, run_of_scratches(false)}};
 }
 
 std::vector<Context> contexts_in_motion() {
@@ -240,8 +240,8 @@ bool is_label(const Field& field) {
 // In motion a field takes a quarter of a second, and loaded teeth take half: each day some of them.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
-  constexpr unsigned motions =
-      use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears | use::defect;
+  const unsigned motions = use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears |
+                           run_of_scratches(false);
   const unsigned slow = motions | analyses_of_machine(described::ball_motion, "run") |
                         analyses_of_machine(described::duplex_pair, "run");
   const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());

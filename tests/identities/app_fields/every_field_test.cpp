@@ -179,15 +179,18 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
       return unless(8, 12);
     case use::planet_defect:  // what moves as by monolithic shares that part
       return (field.use.by & use::monolithic) != 0 && unless(10, 12);
-    case use::moving_defect:  // balls roll as in a ball's run, and scratches act as without mass
-      return ((field.use.by & use::defect) != 0 || (field.use_in(ball_motion).by & run_of_balls) != 0) &&
-             unless(1, 6);
     case use::crown:
     case use::planet_stiffness:
       return subject.base->name == "multi_stage" && unless(5, 6);
     default:
-      return analysis == run_of_balls && unless(4, 6);
+      break;
   }
+  if (analysis == run_of_scratches(true)) {  // balls roll as in a ball's run, and scratches act as without mass
+    const bool elsewhere = (field.use_in(raceway_defect).by & run_of_scratches(false)) != 0 ||
+                           (field.use_in(ball_motion).by & run_of_balls) != 0;
+    return elsewhere && unless(1, 6);
+  }
+  return analysis == run_of_balls && unless(4, 6);
 }
 
 struct Count {

@@ -329,11 +329,11 @@ void check_sets(const Values& values) {
 std::string vibration(const Values& values) {
   const ResolvedCase in = resolved(values);
   require_used(in, use::planet_defect);
-  return json_of(record_of(planet_defect_study(in))).dump();
+  return json_of(record_of(vibration_of_scratched_set(scratched_set_of(in)))).dump();
 }
 
 double level(const Values& values, bool several_sets = false) {
-  return planet_defect_study(resolved(values, several_sets)).vibration.largest_load;
+  return vibration_of_scratched_set(scratched_set_of(resolved(values, several_sets))).vibration.largest_load;
 }
 
 constexpr double kMoved = 1e-3;  // [-]  steps of the motion are those of its tolerance

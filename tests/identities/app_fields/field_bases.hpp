@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/machines.hpp"
 
 namespace orbearing::app::fields_test {
 
@@ -241,6 +243,13 @@ inline std::string rollers_case() {
   return kRollers + bearing.erase(bearing.find(own), own.size());
 }
 
+/// Run of a scratched ball bearing: of the ring alone, or of all that moves.
+inline use::Analysis run_of_scratches(bool in_time) {
+  return std::ranges::find_if(machine_analyses(), [&](const MachineAnalysis& one) {
+           return one.model == described::raceway_defect && one.in_time == in_time;
+         })->used;
+}
+
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
       {"bearing_in_a_set", kDrivetrain + kGears + kCarrier + kBearing + kShortRun},
@@ -257,8 +266,8 @@ inline const std::vector<Base>& bases() {
       {"roller_bearing", rollers_case()},
       {"ball_bearing", kBalls},
       {"ball_bearing_in_time", kBallsInTime},
-      {"raceway_defect", kScratch, "", use::moving_defect},
-      {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
+      {"raceway_defect", kScratch, "", run_of_scratches(true)},
+      {"raceway_defect_in_motion", kScratchInMotion, "", run_of_scratches(false)},
       {"scratched_rollers", kScratchedRollers},
       {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
        use::all & ~unsigned{use::planet_defect}},

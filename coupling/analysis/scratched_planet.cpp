@@ -1,34 +1,32 @@
-#include "app/study/defect_study.hpp"
+#include "coupling/analysis/scratched_planet.hpp"
 
 #include <Eigen/Core>
 #include <cmath>
+#include <string>
 
-#include "app/case/defect_case.hpp"
-#include "app/case/described_case.hpp"
-#include "app/errors.hpp"
-#include "app/study/planetary_case.hpp"
+#include "mechanics/constants.hpp"
+#include "mechanics/no_result.hpp"
 
-namespace orbearing::app {
+namespace orbearing::analysis {
 
 namespace {
 
 using bearing::defect::Scratch;
 using bearing::defect::Scratched;
+using described::Record;
+namespace dimension = described::dimension;
 
 // Unit vector (outward, in the sense of carrier rotation) from the pin's axis to the middle of the load zone:
 // the rollers that carry the planet are there.
-Eigen::Vector2d load_zone_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
-  const auto position = from_case<study::ScratchedPosition>(in);
+Eigen::Vector2d load_zone_of(const ScratchedSet& in) {
   // The bore is pushed one way and meets the rollers on the other side of the pin.
-  return -study::load_on_bearing(drivetrain, position.planet - 1, position.bearing - 1).normalized();
+  return -study::load_on_bearing(in.drivetrain, in.position.planet - 1, in.position.bearing - 1).normalized();
 }
 
-// None without scratches. Angles of the case are measured from the middle of the load zone, those of the
-// result from outward; those of a roller stay.
-std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in,
-                                                          const Eigen::Vector2d& zone) {
-  const auto position = from_case<study::ScratchedPosition>(in);
-  Scratch first = from_case<Scratch>(in);
+// None without scratches. Angles of the result are measured from outward; those of a roller stay.
+std::vector<system::ScratchedPlanet> scratched_planets(const ScratchedSet& in, const Eigen::Vector2d& zone) {
+  const study::ScratchedPosition& position = in.position;
+  Scratch first = in.scratch;
   if (first.race == Scratched::none) return {};
   const double middle = std::atan2(zone.y(), zone.x());
   const auto turned = [&](Scratch scratch) {
@@ -48,44 +46,60 @@ std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in
   return {planet};
 }
 
-diagnosis::InstrumentView planet_view(const ResolvedCase& in, const PlanetDefectStudy& study,
-                                      const Eigen::ArrayXd& signal, bool on_housing) {
+diagnosis::InstrumentView view_of(const ScratchedSet& in, const ScratchedSetVibration& result,
+                                  const Eigen::ArrayXd& signal, bool on_housing) {
   return diagnosis::planet_view(signal,
-                                {.rate = study.vibration.rate,
-                                 .band = stated_band_of(in),
-                                 .angle = study.run_up ? &study.vibration.carrier_angle : nullptr},
-                                on_housing, study.scratched, study.rolling, study.turned);
+                                {.rate = result.vibration.rate,
+                                 .band = in.band.stated(),
+                                 .angle = result.run_up ? &result.vibration.carrier_angle : nullptr},
+                                on_housing, result.scratched, result.rolling, result.turned);
 }
 
 }  // namespace
 
-PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
-  const study::PlanetaryDrivetrain drivetrain = scratched_drivetrain_of(in);
-  const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
-  const Eigen::Vector2d loaded = load_zone_of(in, drivetrain);  // the way in which the load zone lies
-  const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in, loaded);
-  PlanetDefectStudy study{.rolling = study::planet_frequencies(drivetrain),
-                          .run_up = sampling.run_up_from < 1.0};
+ScratchedSetVibration vibration_of_scratched_set(const ScratchedSet& in,
+                                                 const std::function<void(double)>& progress) {
+  const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
+  const std::vector<system::ScratchedPlanet> scratched = scratched_planets(in, loaded);
+  ScratchedSetVibration result{.rolling = study::planet_frequencies(in.drivetrain),
+                               .run_up = in.sampling.run_up_from < 1.0};
   for (const system::ScratchedPlanet& planet : scratched)
-    for (const bearing::defect::Scratch& one : planet.scratches) study.scratched.push_back(one.race);
-  if (!study.scratched.empty())
-    study.defect_frequency = diagnosis::defect_frequency(study.scratched.front(), study.rolling.bearing);
-  study.vibration = study::sample_vibration(drivetrain, scratched, sampling, progress);
-  const study::PlanetVibration& motion = study.vibration;
-  if (!motion.report.completed) throw ComputationFailed(in.text("name") + ": " + motion.report.message);
-  study.turned =
-      diagnosis::as_turned(study.rolling, motion, drivetrain.bearing.rollers().count, study.run_up);
-  study.carrier = planet_view(
-      in, study,
+    for (const Scratch& one : planet.scratches) result.scratched.push_back(one.race);
+  if (!result.scratched.empty())
+    result.defect_frequency = diagnosis::defect_frequency(result.scratched.front(), result.rolling.bearing);
+  result.vibration = study::sample_vibration(in.drivetrain, scratched, in.sampling, progress);
+  const study::PlanetVibration& motion = result.vibration;
+  if (!motion.report.completed) throw mechanics::NoResult(motion.report.message);
+  result.turned = diagnosis::as_turned(result.rolling, motion, in.drivetrain.bearing.rollers().count,
+                                       result.run_up);
+  result.carrier = view_of(
+      in, result,
       (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);
-  study.housing = planet_view(in, study, motion.housing, true);
-  return study;
+  result.housing = view_of(in, result, motion.housing, true);
+  return result;
+}
+
+double time_of_signal(const ScratchedSet& in) {
+  const double carrier = study::planet_frequencies(in.drivetrain).carrier;
+  return time_of_turns(in.sampling.settling_revolutions + in.sampling.revolutions,
+                       constants::two_pi * carrier, in.sampling.run_up_from);
+}
+
+void describe(Record& record, const ScratchedSetQuantities& quantities) {
+  const study::PlanetFrequencies& at = quantities.rolling;
+  const auto add = [&](const char* name, const char* meaning, double frequency) {
+    record.value(name, dimension::cycles, meaning, frequency);
+  };
+  add("carrier_frequency_Hz", "turns of the carrier", at.carrier);
+  add("planet_frequency_Hz", "turns of the planet relative to the carrier", at.planet);
+  add("cage_frequency_Hz", "turns of the cage relative to the carrier", at.bearing.cage);
+  add("outer_pass_frequency_Hz", "rollers over a point of the planet's bore", at.bearing.outer_pass);
+  add("inner_pass_frequency_Hz", "rollers over a point of the pin", at.bearing.inner_pass);
+  add("roller_pass_frequency_Hz", "a point of a roller over either race", at.bearing.element_pass);
+  add("mesh_frequency_Hz", "teeth of both meshes", at.mesh);
 }
 
 namespace {
-
-using described::Record;
-namespace dimension = described::dimension;
 
 void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
   const auto add = [&](const char* name, const char* meaning, double frequency) {
@@ -139,7 +153,7 @@ void describe_spectra(Record& record, const Instrument& instrument) {
 }
 
 // Expected lines that were searched for; of a run-up, whose lines are orders, none.
-void describe_lines(Record& record, const PlanetDefectStudy& study) {
+void describe_named_lines(Record& record, const ScratchedSetVibration& study) {
   const std::string name = study.scratched.empty() ? "" : diagnosis::defect_name(study.scratched.front());
   const auto add = [&](const char* key, const char* meaning, const std::vector<diagnosis::NamedPeak>& peaks,
                        const std::string& line, const std::string& from = "") {
@@ -156,7 +170,7 @@ void describe_lines(Record& record, const PlanetDefectStudy& study) {
       study.housing.spectrum_peaks, "mesh + carrier");
 }
 
-void describe_series(Record& record, const PlanetDefectStudy& study) {
+void describe_series(Record& record, const ScratchedSetVibration& study) {
   const study::PlanetVibration& motion = study.vibration;
   const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
                               const Eigen::ArrayXd& values) {
@@ -177,7 +191,7 @@ void describe_series(Record& record, const PlanetDefectStudy& study) {
 
 }  // namespace
 
-void describe(Record& record, const PlanetDefectStudy& study) {
+void describe(Record& record, const ScratchedSetVibration& study) {
   const auto& at = study.rolling;
   describe_vibration(record, at.planet, at.bearing.cage, study.defect_frequency, study.carrier, study.run_up);
   record.child("at_pure_rolling", "frequencies", at, describe_frequencies);
@@ -191,22 +205,9 @@ void describe(Record& record, const PlanetDefectStudy& study) {
   for (const Instrument& one : instruments) record.child(one.key, one.meaning, one, describe_instrument);
   record.value("contact_load_max_N", dimension::force, "largest load of a roller",
                study.vibration.largest_load);
-  describe_lines(record, study);
+  describe_named_lines(record, study);
   describe_series(record, study);
   for (const Instrument& one : instruments) describe_spectra(record, one);
 }
 
-std::vector<Derived> planet_defect_quantities(const ResolvedCase& in) {
-  const study::PlanetFrequencies at = study::planet_frequencies(scratched_drivetrain_of(in));
-  return {
-      {"defect.carrier_frequency", at.carrier, "Hz", "turns of the carrier"},
-      {"defect.planet_frequency", at.planet, "Hz", "turns of the planet relative to the carrier"},
-      {"defect.cage_frequency", at.bearing.cage, "Hz", "turns of the cage relative to the carrier"},
-      {"defect.outer_pass_frequency", at.bearing.outer_pass, "Hz",
-       "rollers over a point of the planet's bore"},
-      {"defect.inner_pass_frequency", at.bearing.inner_pass, "Hz", "rollers over a point of the pin"},
-      {"defect.roller_pass_frequency", at.bearing.element_pass, "Hz", "a point of a roller over either race"},
-      {"defect.mesh_frequency", at.mesh, "Hz", "teeth of both meshes"}};
-}
-
-}  // namespace orbearing::app
+}  // namespace orbearing::analysis
