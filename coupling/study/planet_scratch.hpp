@@ -16,6 +16,7 @@
 #include "bearing/defect/scratched_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/signal_rows.hpp"
 #include "coupling/system/coupled_model.hpp"
 #include "mechanics/described.hpp"
 
@@ -32,9 +33,7 @@ struct PlanetSampling {
 template <class Visitor>
 void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
-  members(visit, m,
-          field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
-                {.models = scratched_bearings, .dimension = dimension::frequency}),
+  members(visit, m, sampling_rate_row(m.rate),
           field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
                 "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
                 {.models = planetary_drivetrain,
@@ -47,8 +46,7 @@ void describe(Visitor& visit, PlanetSampling& m) {
                  .range = {0.0, 1e4},
                  .reason = "some turns of planets and cages",
                  .numerical = true}),
-          field(m.run_up_from, "signal.run_up_from", Physics::defect,
-                "share of the speed at which the motion begins", {.models = scratched_bearings}));
+          run_up_row(m.run_up_from));
 }
 
 /// A second scratched part of a planet bearing, which has rollers.

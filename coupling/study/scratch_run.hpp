@@ -8,6 +8,7 @@
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/defect/scratched_elements.hpp"
 #include "coupling/integration/integration_options.hpp"
+#include "coupling/study/signal_rows.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::study {
@@ -25,13 +26,7 @@ template <class Visitor>
 void describe(Visitor& visit, Sampling& m) {
   using namespace described;
   members(
-      visit, m,
-      field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
-            {.models = scratched_bearings,
-             .dimension = dimension::frequency,
-             .range = {1e-3, 1e5},
-             .reason = "a typical rate of instruments, far above the vibration of the ring",
-             .numerical = true}),
+      visit, m, sampling_rate_row(m.rate),
       input(m.revolutions, "signal.revolutions",
             "sampled revolutions of the shaft; frequency resolution: its speed divided by this number",
             {.range = {2.0, 1e5},
@@ -49,11 +44,7 @@ void describe(Visitor& visit, Sampling& m) {
              .reason = "the vibration of a sound bearing exceeds the error of its sampled acceleration",
              .written = "mm",
              .numerical = true}),
-      field(
-          m.run_up_from, "signal.run_up_from", Physics::defect,
-          "speed at the start as a share of the speed, with a linear run-up; spectra are then over orders of "
-          "the shaft, in a gear set of the carrier",
-          {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"}));
+      run_up_row(m.run_up_from));
 }
 
 /// The ring's motion at equal times; position and acceleration along the load and across it. The acceleration
