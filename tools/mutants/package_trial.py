@@ -87,8 +87,7 @@ class PackageCopies:
         if not place.exists():
             place.mkdir()
             self._link(self.root, place, "python", "tests", "build", ".git")
-            shutil.copytree(self.root / "tests" / "interface", place / "tests" / "interface", ignore=shutil.ignore_patterns("__pycache__"))
-            self._link(self.root / "tests", place / "tests", "interface")
+            shutil.copytree(self.root / "tests", place / "tests", ignore=shutil.ignore_patterns("__pycache__"))
             (place / "python").mkdir()
             for entry in (self.root / "python").iterdir():
                 (place / "python" / entry.name).symlink_to(folder / FOLDER if entry.name == "orbearing" else entry)
