@@ -23,7 +23,22 @@ from orbearing.rexs import __main__ as command, convert, names, reading, results
 
 RECORDS = kept_records.Records("rexs")
 SI = {"deg": 1.0, "°": 1.0}
+
+
+def unshifted(make, first=0, **stated):
+    """A model whose gears, from the `first` flank on, state no profile shift, and whose components state these values instead."""
+    model = make()
+    flanks = [rows for _, _, _, rows in model.components if any(key == "addendum_modification_coefficient" for key, _, _ in rows)]
+    for rows in flanks[first:]:
+        rows[:] = [row for row in rows if row[0] != "addendum_modification_coefficient"]
+    for _, _, _, rows in model.components:
+        rows[:] = [(key, stated.get(key, value), unit) for key, value, unit in rows]
+    return model
+
+
 MODELS = {
+    "pair without shifts": lambda: unshifted(file_units.gearbox, center_distance=62.0), "pair with one shift": lambda: unshifted(file_units.gearbox, 2, center_distance=62.0),
+    "stage without shifts": lambda: unshifted(file_units.stage), "stage with the ring's shift": lambda: unshifted(file_units.stage, 2),
     "stage": rexs_files.planetary, "stage, load cases": lambda: rexs_files.planetary(load_cases=True), "stage, concept": lambda: rexs_files.planetary(bearing="concept"),
     "stage, designation": lambda: rexs_files.planetary(bearing="designation"), "stage, 1.0": lambda: rexs_files.planetary("1.0", "°", torque=(-325541.0, "N m"), ring_shift=0.9737),
     "stage, 2.0": lambda: rexs_files.planetary("2.0", helix=0.0, load_cases=True, speed=(2.3, "rad / s")), "two stages": rexs_files.two_stages, "pair": rexs_files.gearbox,
@@ -96,12 +111,19 @@ def copied(model):
 
 
 def changes(model):
-    """Name and model of each: an attribute of the first component of its kind left out, of the last one changed; one that none has; a relation, a part left out."""
+    """Name and model of each: an attribute of all components of its kind left out, of the first one alone, of the last one changed; one that none has; a relation, a part left out."""
     places = {}
     for i, (_, kind, _, rows) in enumerate(model.components):
         for j, (key, _, _) in enumerate(rows):
             places.setdefault((kind, key), []).append((i, j))
     for (kind, key), found in places.items():
+        if len(found) > 1:
+            fresh = copied(model)
+            for i, j in found:
+                fresh.components[i][3][j] = None
+            for _, _, _, rows in fresh.components:
+                rows[:] = [row for row in rows if row is not None]
+            yield f"without any {kind}.{key}", fresh
         i, j = found[0]
         fresh = copied(model)
         del fresh.components[i][3][j]

@@ -48,7 +48,15 @@ class PackageCopies:
                 shutil.copy(file, folder / "bin" / file.name)
         (folder / "lib").symlink_to(self.build / "lib")
         shutil.copytree(self.root / FOLDER, folder / FOLDER, ignore=shutil.ignore_patterns("__pycache__"))
+        self._link(self.root, folder, "python", "tests", "build", ".git", "bin", "lib")  # cases, which the package finds above itself
         return folder
+
+    @staticmethod
+    def _link(source: pathlib.Path, folder: pathlib.Path, *left_out: str) -> None:
+        """Links in `folder` to all that is in `source` but these."""
+        for entry in source.iterdir():
+            if entry.name not in left_out:
+                (folder / entry.name).symlink_to(entry)
 
     def tests(self, mutant: Mutant) -> list[pathlib.Path]:
         """Those that use the package: first those with a name like the error's module or folder, then records, which ask most of it in a few seconds,
@@ -78,10 +86,8 @@ class PackageCopies:
         place = folder / "source"
         if not place.exists():
             place.mkdir()
-            for entry in self.root.iterdir():
-                if entry.name not in ("python", "tests", "build", ".git"):
-                    (place / entry.name).symlink_to(entry)
-            shutil.copytree(self.root / "tests" / "interface", place / "tests" / "interface", ignore=shutil.ignore_patterns("__pycache__"))
+            self._link(self.root, place, "python", "tests", "build", ".git")
+            shutil.copytree(self.root / "tests", place / "tests", ignore=shutil.ignore_patterns("__pycache__"))
             (place / "python").mkdir()
             for entry in (self.root / "python").iterdir():
                 (place / "python" / entry.name).symlink_to(folder / FOLDER if entry.name == "orbearing" else entry)
