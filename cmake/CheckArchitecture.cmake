@@ -23,7 +23,7 @@ set(own_coupling/system "(mechanics|gearset|bearing|coupling/(integration|system
 set(own_coupling/cosim "(mechanics|gearset|bearing|coupling/(integration|system|cosim))/.+")
 set(own_coupling/fmu "(mechanics|gearset|bearing|coupling/(integration|system|cosim|fmu))/.+")
 set(own_coupling/study "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study))/.+")
-set(own_coupling/analysis "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study|analysis))/.+")
+set(own_coupling/analysis "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study|diagnosis|analysis))/.+")
 set(own_coupling/diagnosis "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study|diagnosis))/.+")
 set(foreign_coupling "${numerics}|${standard}|(oneapi/)?tbb/.+|nlopt\\.hpp")
 set(foreign_coupling/diagnosis "${numerics}|${standard}|unsupported/Eigen/FFT")
