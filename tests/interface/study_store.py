@@ -319,6 +319,21 @@ class Interrupted(InFolder):
                 self.assertEqual((folder / DATASET).read_bytes(), self.whole)
         self.assertGreater(found, 5)
 
+    def test_a_damaged_last_record_is_a_torn_one(self):
+        """All others are damaged ones, by the byte at which they begin; what follows them is read."""
+        heads = [{"number": number} for number in range(3)]
+        records = [journal.encoded(journal.Record(head, b"payload " * (4 + head["number"]))) for head in heads]
+        file = self.place / "three"
+        begins = [sum(map(len, records[:number])) for number in range(3)]
+        for number, expected in ((0, ([1, 2], [begins[0]], sum(map(len, records)))), (1, ([0, 2], [begins[1]], sum(map(len, records)))),
+                                 (2, ([0, 1], [], begins[2]))):
+            with self.subTest(record=number):
+                data = bytearray(b"".join(records))
+                data[begins[number] + len(records[number]) - 5] ^= 0x15  # in its payload
+                file.write_bytes(bytes(data))
+                found = journal.read(file)
+                self.assertEqual(([one.head["number"] for one in found.records], found.damaged, found.sound_bytes), expected)
+
     def test_interrupted_and_gone_on_with(self):
         folder = self.place / "stopped"
         with self.assertRaises(KeyboardInterrupt):

@@ -19,7 +19,7 @@ import openturns as ot
 from orbearing.errors import CaseError
 from orbearing.uncertainties import chaos, design, indices, scatter
 from orbearing.uncertainties.inputs import UncertainInputs, UncertainNumber
-from orbearing.uncertainties.lives import RPM, SPEED, refined_peaks
+from orbearing.uncertainties.lives import RPM, SPEED, _next_speed, refined_peaks
 from orbearing.uncertainties.settings import Settings
 from orbearing.uncertainties.study import Study
 
@@ -283,6 +283,15 @@ class Peaks(unittest.TestCase):
         self.assertFalse(peaks.at_end.any())
         self.assertEqual(peaks.points, sum(asked))
         self.assertLess(peaks.points / 300, 5)
+
+    def test_the_next_speed_lies_in_the_wider_gap(self):
+        """Without a curve through three lives the middle of the wider gap; with its top at the best point a short step into that gap."""
+        unknown = _next_speed(np.array([[1000.0, 2000.0, 4000.0], [1000.0, 3000.0, 4000.0]]), np.full((2, 3), np.nan))
+        np.testing.assert_array_equal(unknown, [3000.0, 2000.0])
+        parabola = np.exp(-np.array([[1.0, 0.0, 4.0], [4.0, 0.0, 1.0]]))  # ln(life) = -((n - n_top)/1000 rpm)^2
+        right, left = _next_speed(np.array([[1000.0, 2000.0, 4000.0], [1000.0, 3000.0, 4000.0]]), parabola)
+        self.assertTrue(2000.0 < right < 2100.0, right)
+        self.assertTrue(2900.0 < left < 3000.0, left)
 
     def test_at_an_end_and_where_points_fail(self):
         grid = np.array([1000.0, 2000.0, 3000.0])
