@@ -132,6 +132,12 @@ def unloaded(speed):
     return variables(speed) | {name: 0.0 * variables(speed)[name] for name in ("roller_inner_load", "roller_outer_load", "inner_load", "outer_load")}
 
 
+def outward(speed):
+    """Rollers that press on the outer race alone."""
+    return variables(speed) | {name: share * variables(speed)[name] for name, share in (("roller_inner_load", 0.31), ("inner_load", 0.31), ("roller_outer_load", 1.7),
+                                                                                        ("outer_load", 1.7))}
+
+
 def spot(speed):
     """A cage that stays near one place of its land."""
     turn = np.linspace(0, 2 * np.pi, dynamic.INSTANTS)
@@ -258,7 +264,7 @@ class Figures(kept_records.Recorded):
         best = {"points": content["points"][5:6], "peak.refined_speed_rpm": 6000.0}  # one speed is shown
         for name, values, edits, figures in (
                 ("all", variables, {}, every), ("uncaged", uncaged, best, (traces, cage)), ("backwards", backwards, best, (history, orbit, traces)),
-                ("unloaded", unloaded, best, (rings, history, orbit)), ("spot", spot, best, (cage,)), ("no loads by place", without("angle"), best, every),
+                ("unloaded", unloaded, best, (rings, history, orbit)), ("outward", outward, best, (rings, history, orbit)), ("spot", spot, best, (cage,)), ("no loads by place", without("angle"), best, every),
                 ("no ring", variables, best | {"dynamic": {}, "polar": []}, (rings,)), ("ring of the page", variables, best | {"dynamic.quasi_static": {}}, (rings,)),
                 ("uneven ring", variables, best | {"dynamic.quasi_static.polar.*.speed_rpm": lambda x: x * 1.0009, "dynamic.quasi_static.polar.1.outer_load_N": lambda x: [None, *x[1:]]}, (rings,)),
                 ("ring without a race", variables, best | {"dynamic.quasi_static.polar.1.inner_load_N": []}, (rings,)),

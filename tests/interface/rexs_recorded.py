@@ -36,11 +36,11 @@ def unshifted(make, first=0, **stated):
     return model
 
 
-def turned(model, name):
-    """With the axis of the shaft of that name the other way round."""
+def turned(model, name, stated=True):
+    """With the axis of the shaft of that name the other way round, or not stated."""
     for _, kind, own, rows in model.components:
         if (kind, own) == ("shaft", name):
-            rows[:] = [(key, [-one for one in value] if key == "u_axis_vector" else value, unit) for key, value, unit in rows]
+            rows[:] = [(key, [-one for one in value] if key == "u_axis_vector" else value, unit) for key, value, unit in rows if stated or key != "u_axis_vector"]
     return model
 
 
@@ -51,6 +51,7 @@ MODELS = {
     "stage, designation": lambda: rexs_files.planetary(bearing="designation"), "stage, 1.0": lambda: rexs_files.planetary("1.0", "°", torque=(-325541.0, "N m"), ring_shift=0.9737),
     "stage, 2.0": lambda: rexs_files.planetary("2.0", helix=0.0, load_cases=True, speed=(2.3, "rad / s")), "two stages": rexs_files.two_stages, "pair": rexs_files.gearbox,
     "coaxial, turned shaft": lambda: turned(rexs_files.coaxial_gearbox(), "Middle"),
+    "coaxial, a shaft without axis": lambda: turned(rexs_files.coaxial_gearbox(), "Middle", stated=False),
     "coaxial": rexs_files.coaxial_gearbox, "coaxial, no places": lambda: rexs_files.coaxial_gearbox("2.0", False), "powered": rexs_files.powered_planets, "worm": rexs_files.worm_gearbox,
     "full stage": file_units.stage, "full pair": file_units.gearbox, "pair without places": file_units.without_places, "stated bearings": file_units.stated_bearings, "warm load cases": file_units.warm_load_cases,
     "hours": lambda: file_units.of_load_cases("h", operating_time=100.0), "percent": lambda: file_units.of_load_cases("%", operating_time_fraction=20.0), "shifts as lengths": file_units.of_shift_lengths,
