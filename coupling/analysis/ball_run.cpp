@@ -120,7 +120,8 @@ BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& p
   const bearing::equilibrium::RingState balance =
       bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, in.loaded.load);
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
-  study.oil_share = bearing::friction::supplied(bearing, motion, inner - outer).drag.oil_share;
+  if (motion.drag.on)
+    study.oil_share = bearing::friction::supplied(bearing, motion, inner - outer).drag.oil_share;
   const double rolling = means.loss.rolling / std::abs(inner - outer);
   const bool isothermal = motion.race.inlet_heating == bearing::motion::InletHeating::none;
   study.friction_by_standards =
@@ -232,7 +233,7 @@ void describe(Record& record, const BallRun& study) {
                m.cage_slip_error);
   describe_heat(record, m);
   describe_temperatures(record, study.warming);
-  record.value("oil_share", dimension::ratio, "of oil in the free volume", study.oil_share);
+  record.value("oil_share", dimension::ratio, "of oil in the free volume, where it is stirred", study.oil_share);
   record.value("running_clearance_um", dimension::small_length, "at the temperatures of the run",
                study.radial_clearance);
   record

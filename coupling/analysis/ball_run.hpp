@@ -25,7 +25,7 @@ struct BallRun {
   double rotating_speed = 0.0;             // [rad/s]  at the end, of the race that turns relative to the load
   double largest_pressure = 0.0;           // [Pa]
   double radial_clearance = 0.0;           // [m]      at the temperatures of the run
-  double oil_share = 0.0;                  // [-]      in the free volume
+  std::optional<double> oil_share;         // [-]      in the free volume; none where nothing is stirred
   /// Stiffness of the equilibrium under the same load at the final speeds, as orbearing stiffness computes
   /// it; none where there is no equilibrium.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
