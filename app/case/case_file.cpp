@@ -13,6 +13,7 @@
 #include "app/case/alternatives.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_checks.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_file.hpp"
 #include "app/case/consistency.hpp"

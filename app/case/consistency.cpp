@@ -9,6 +9,7 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_checks.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machines.hpp"

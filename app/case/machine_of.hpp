@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_quantities.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machine_fields.hpp"

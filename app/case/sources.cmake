@@ -5,6 +5,10 @@ set(ORBEARING_CASE_SOURCES
   case/arrangement_case.cpp
   case/bearing_fields.cpp
   case/catalogue_case.cpp
+  case/catalogue_checks.cpp
+  case/catalogue_lines.cpp
+  case/catalogue_quantities.cpp
+  case/catalogue_warnings.cpp
   case/catalogue_fields.cpp
   case/catalogue_file.cpp
   case/case_file.cpp

@@ -14,7 +14,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_quantities.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/analysis_names.hpp"
 #include "app/case/field_table.hpp"

@@ -8,7 +8,7 @@
 
 #include "app/case/analysis_names.hpp"
 #include "app/case/bearing_type.hpp"
-#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machine_rows.hpp"

@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/bearing_type.hpp"
-#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_quantities.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machines.hpp"

@@ -174,8 +174,7 @@ void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibratio
 
 // Labels for the training of a diagnosis: scratched part, speed, load, size, frequencies, level.
 void describe_labels(described::Record& record, const ResolvedCase& in,
-                     const analysis::ScratchedVibration& study,
-                     const SignalNoise& noise) {
+                     const analysis::ScratchedVibration& study, const SignalNoise& noise) {
   namespace dimension = described::dimension;
   const auto of_scratch = [&](const char* path) {
     return study.scratched != bearing::defect::Scratched::none ? in.quantity(path) : described::kAbsent;
@@ -291,9 +290,8 @@ class SignalSet {
       const ResolvedCase changed = resolved_.with(variants_[number]);
       const SignalNoise noise{options_.noise, options_.seed};
       const analysis::ScratchedVibration study =
-          scratched_vibration(changed, moving_parts(), [&](study::RingVibration& vibration) {
-            add_noise(noise, number, vibration);
-          });
+          scratched_vibration(changed, moving_parts(),
+                              [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
       const std::scoped_lock lock(one_writer);
       labels_[number] = labelled(number, changed, study, noise);
       if (!folder_.path().empty()) keep(number, study);

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "app/case/case_file.hpp"
-#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"

@@ -14,8 +14,8 @@ bool is_defect(const ResolvedCase& resolved);
 enum class MovingParts { ring, all };
 
 /// The vibration of a single bearing with scratches. `disturb` may add to the recorded signal before it is
-/// analysed. Throws ComputationFailed where the motion cannot be integrated, BadInput where an input is missing
-/// that only MovingParts::all requires.
+/// analysed. Throws ComputationFailed where the motion cannot be integrated, BadInput where an input is
+/// missing that only MovingParts::all requires.
 analysis::ScratchedVibration scratched_vibration(const ResolvedCase& resolved,
                                                  MovingParts moving = MovingParts::ring,
                                                  const analysis::Disturb& disturb = {});

@@ -42,15 +42,16 @@ mechanics::Problems problems(const SampledRing& machine) {
   constexpr double most = 1e7;
   const double samples = sampling.rate / turns * (sampling.revolutions + sampling.settling_revolutions);
   if (samples > most)
-    found.push_back({"signal.sampling_rate",
-                     significant(samples, 3) + " samples in all; at most 1e+07, by a lower rate or fewer "
-                                               "revolutions, are required"});
+    found.push_back({"signal.sampling_rate", significant(samples, 3) +
+                                                 " samples in all; at most 1e+07, by a lower rate or fewer "
+                                                 "revolutions, are required"});
   if (sampling.rate < 100.0 * turns)
-    found.push_back({"signal.sampling_rate",
-                     significant(sampling.rate, 6) + " Hz at " + significant(turns, 4) +
-                         " revolutions a second; at least 100 samples a revolution, " +
-                         significant(100.0 * turns, 4) + " Hz, are required"});
-  for (mechanics::Problem& problem : problems(machine.band, sampling.rate)) found.push_back(std::move(problem));
+    found.push_back(
+        {"signal.sampling_rate", significant(sampling.rate, 6) + " Hz at " + significant(turns, 4) +
+                                     " revolutions a second; at least 100 samples a revolution, " +
+                                     significant(100.0 * turns, 4) + " Hz, are required"});
+  for (mechanics::Problem& problem : problems(machine.band, sampling.rate))
+    found.push_back(std::move(problem));
   return found;
 }
 
@@ -69,10 +70,10 @@ mechanics::Problems rigid_ring_problems(const ScratchedInHousing& in) {
   constexpr double most = 1e6;  // [Hz]
   const double frequency = natural_frequency(in).value_or(0.0);
   if (!(frequency > most)) return {};
-  return {{"bearing.outer_ring_mass",
-           significant(in.ring.mass, 6) + " kg, with which the ring vibrates at " +
-               significant(frequency, 3) + " Hz on its contacts; a mass with at most " +
-               significant(most, 7) + " Hz is required: above this the ring is not rigid"}};
+  return {{"bearing.outer_ring_mass", significant(in.ring.mass, 6) + " kg, with which the ring vibrates at " +
+                                          significant(frequency, 3) +
+                                          " Hz on its contacts; a mass with at most " + significant(most, 7) +
+                                          " Hz is required: above this the ring is not rigid"}};
 }
 
 }  // namespace
@@ -111,12 +112,12 @@ void add_view(const ScratchedInHousing& in, ScratchedVibration& study) {
     study.turned = diagnosis::slower(study.passing, vibration.shaft_speed / in.rotation.shaft_speed);
   if (study.moving)
     study.turned = diagnosis::as_turned(study.turned, in.bearing.element_count(), vibration.cage_speed);
-  study.view = diagnosis::bearing_view(
-      vibration.acceleration.row(0).transpose(),
-      {.rate = vibration.rate,
-       .band = in.band.stated(),
-       .angle = study.run_up ? &vibration.shaft_angle : nullptr},
-      study.at_rest.natural_frequency, study.scratched, study.rollers, study.passing, study.turned);
+  study.view = diagnosis::bearing_view(vibration.acceleration.row(0).transpose(),
+                                       {.rate = vibration.rate,
+                                        .band = in.band.stated(),
+                                        .angle = study.run_up ? &vibration.shaft_angle : nullptr},
+                                       study.at_rest.natural_frequency, study.scratched, study.rollers,
+                                       study.passing, study.turned);
   constexpr double resolved_share = 0.4;  // of the sampling rate
   if (study.at_rest.natural_frequency > resolved_share * vibration.rate)
     study.warnings.push_back("signal.sampling_rate: " + significant(vibration.rate, 6) +

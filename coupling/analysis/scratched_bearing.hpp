@@ -46,9 +46,7 @@ void describe(Visitor& visit, ScratchedInHousing& m, described::Model model, con
   using namespace described;
   members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, model); }),
           part(m.rotation,
-               [&] {
-                 describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race);
-               }),
+               [&] { describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race); }),
           part(m.bearing, describe_bearing), part(m.ring), part(m.scratch), part(m.sampling), part(m.band));
 }
 
@@ -99,10 +97,12 @@ inline const bearing::balls::MotionParameters& moving_balls(const ScratchedBalls
 template <class Visitor, class Rows>
 void describe_moving(Visitor& visit, Rows& rows, ScratchedBallsInMotion& m) {
   using namespace described;
-  members(visit, m, part(m.of, [&] {
-            describe(rows, m.of, raceway_defect,
-                     [&] { describe_for_model(visit, m.of.bearing, raceway_defect); });
-          }),
+  members(visit, m,
+          part(m.of,
+               [&] {
+                 describe(rows, m.of, raceway_defect,
+                          [&] { describe_for_model(visit, m.of.bearing, raceway_defect); });
+               }),
           part(m.motion, [&] { describe_for_model(visit, m.motion, raceway_defect); }),
           system::length_error_row(m.length_error));
 }
@@ -160,9 +160,7 @@ void describe(Visitor& visit, SampledRing& m) {
   using namespace described;
   members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, raceway_defect); }),
           part(m.rotation,
-               [&] {
-                 describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race);
-               }),
+               [&] { describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race); }),
           part(m.sampling), part(m.band));
 }
 mechanics::Problems problems(const SampledRing& machine);
@@ -189,7 +187,7 @@ struct ScratchedVibration {
   diagnosis::InstrumentView view;  // acceleration of the outer ring along the load [m/s^2]
   std::vector<std::string> warnings;
 
-  double largest_load() const { return vibration.largest_load; }  // [N]  of an element
+  double largest_load() const { return vibration.largest_load; }   // [N]  of an element
   std::vector<std::pair<std::string, std::string>> files() const;  // of the signal: name, content
 };
 

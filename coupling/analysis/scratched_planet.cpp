@@ -70,8 +70,8 @@ ScratchedSetVibration vibration_of_scratched_set(const ScratchedSet& in,
   result.vibration = study::sample_vibration(in.drivetrain, scratched, in.sampling, progress);
   const study::PlanetVibration& motion = result.vibration;
   if (!motion.report.completed) throw mechanics::NoResult(motion.report.message);
-  result.turned = diagnosis::as_turned(result.rolling, motion, in.drivetrain.bearing.rollers().count,
-                                       result.run_up);
+  result.turned =
+      diagnosis::as_turned(result.rolling, motion, in.drivetrain.bearing.rollers().count, result.run_up);
   result.carrier = view_of(
       in, result,
       (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);

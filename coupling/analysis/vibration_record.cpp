@@ -20,8 +20,8 @@ mechanics::Problems problems(const EnvelopeBand& band, double rate) {
   const std::string found = ends.size() == 2
                                 ? significant(ends[0], 6) + " to " + significant(ends[1], 6) + " Hz"
                                 : "a list of " + std::to_string(ends.size());
-  return {{"signal.band", found + "; its lower and upper end, at most " + significant(highest, 4) +
-                              " Hz, are required"}};
+  return {{"signal.band",
+           found + "; its lower and upper end, at most " + significant(highest, 4) + " Hz, are required"}};
 }
 
 namespace {
@@ -33,7 +33,8 @@ bool has_profile(const bearing::defect::Scratch& scratch) {
 }  // namespace
 
 mechanics::Problems problems(const bearing::defect::Scratch& scratch, bool rollers, double element_diameter) {
-  const std::string element = rollers ? "roller" : "ball", race = std::string(described::text_of(scratch.race));
+  const std::string element = rollers ? "roller" : "ball",
+                    race = std::string(described::text_of(scratch.race));
   mechanics::Problems found;
   if (scratch.race == (rollers ? Scratched::ball : Scratched::roller))
     found.push_back({"defect.race", "'" + race + "' in a bearing of " + element + "s; outer, inner, " +

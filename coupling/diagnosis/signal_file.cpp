@@ -19,8 +19,8 @@ void append_number(std::uint32_t number, int bytes, std::string& text) {
 
 std::string signal_csv(const Eigen::ArrayXd& signal, double rate, const Eigen::ArrayXd* shaft_angle) {
   using mechanics::significant;
-  std::string text = shaft_angle != nullptr ? "time_s,acceleration_m_s2,shaft_angle_rad\n"
-                                            : "time_s,acceleration_m_s2\n";
+  std::string text =
+      shaft_angle != nullptr ? "time_s,acceleration_m_s2,shaft_angle_rad\n" : "time_s,acceleration_m_s2\n";
   for (Eigen::Index k = 0; k < signal.size(); ++k) {
     text += significant(static_cast<double>(k) / rate, 9) + "," + significant(signal[k], 9);
     if (shaft_angle != nullptr) text += "," + significant((*shaft_angle)[k], 12);

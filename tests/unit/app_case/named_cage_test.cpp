@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "bearing/default_design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
