@@ -233,7 +233,8 @@ void describe(Record& record, const BallRun& study) {
                m.cage_slip_error);
   describe_heat(record, m);
   describe_temperatures(record, study.warming);
-  record.value("oil_share", dimension::ratio, "of oil in the free volume, where it is stirred", study.oil_share);
+  record.value("oil_share", dimension::ratio, "of oil in the free volume, where it is stirred",
+               study.oil_share);
   record.value("running_clearance_um", dimension::small_length, "at the temperatures of the run",
                study.radial_clearance);
   record

@@ -6,6 +6,7 @@
 #include "bearing/geometry.hpp"
 #include "coupling/analysis/friction_conditions.hpp"
 #include "coupling/diagnosis/signal_file.hpp"
+#include "mechanics/append.hpp"
 #include "mechanics/constants.hpp"
 #include "mechanics/no_result.hpp"
 #include "mechanics/number_text.hpp"
@@ -50,8 +51,7 @@ mechanics::Problems problems(const SampledRing& machine) {
         {"signal.sampling_rate", significant(sampling.rate, 6) + " Hz at " + significant(turns, 4) +
                                      " revolutions a second; at least 100 samples a revolution, " +
                                      significant(100.0 * turns, 4) + " Hz, are required"});
-  for (mechanics::Problem& problem : problems(machine.band, sampling.rate))
-    found.push_back(std::move(problem));
+  mechanics::append(problems(machine.band, sampling.rate), found);
   return found;
 }
 

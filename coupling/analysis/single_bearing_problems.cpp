@@ -1,0 +1,154 @@
+// Inputs of a single bearing that do not fit together (single_bearing.hpp).
+#include <utility>
+
+#include "bearing/motion/starvation.hpp"
+#include "coupling/analysis/single_bearing.hpp"
+#include "mechanics/append.hpp"
+#include "mechanics/number_text.hpp"
+
+namespace orbearing::analysis {
+
+namespace equilibrium = bearing::equilibrium;
+namespace motion = bearing::motion;
+namespace rating = bearing::rating;
+using mechanics::append;
+using mechanics::significant;
+
+namespace {
+
+void find_twice_stated(const equilibrium::RingLoad& load, mechanics::Problems& found) {
+  for (const auto& [key, moment] :
+       {std::pair{"load.moment", load.moment}, {"load.moment_across", load.moment_across}})
+    if (moment != 0.0 && load.tilt)
+      found.push_back({"load.tilt", std::string("a tilt together with ") + key +
+                                        "; either the moment, with the tilt that follows, or the tilt is "
+                                        "required"});
+}
+
+}  // namespace
+
+mechanics::Problems problems(const LoadOnRing& machine) {
+  mechanics::Problems found;
+  find_twice_stated(machine.load, found);
+  return found;
+}
+
+mechanics::Problems problems(const LoadOnRollers& machine) {
+  const equilibrium::RingLoad& load = machine.load;
+  const char* laminae = "bearing.laminae";
+  mechanics::Problems found;
+  find_twice_stated(load, found);
+  if (machine.laminae < 2) {
+    for (const auto& [key, moment] :
+         {std::pair{"load.moment", load.moment}, {"load.moment_across", load.moment_across}})
+      if (moment != 0.0)
+        found.push_back({laminae, std::string("a single lamina, which holds no moment; at least 2 laminae "
+                                              "are required with ") +
+                                      key});
+    if (load.tilt.value_or(0.0) != 0.0)
+      found.push_back({laminae,
+                       "a single lamina, which is not affected by a tilt; at least 2 laminae are required "
+                       "with load.tilt"});
+  }
+  if (!(load.radial > 0.0))
+    found.push_back({"load.radial", "no load; a radial load greater than 0 N is required"});
+  return found;
+}
+
+mechanics::Problems problems(const OilOfLife& machine) {
+  const char *ratio = "life.viscosity_ratio", *viscosity = "lubricant.kinematic_viscosity",
+             *factor = "life.contamination_factor", *level = "life.cleanliness";
+  const LifeInputs& life = machine.life;
+  mechanics::Problems found;
+  if (machine.oil.grade) return found;  // a viscosity that is always there
+  const bool of_ratio = life.viscosity_ratio.has_value(),
+             of_oil = machine.oil.kinematic_viscosity.has_value();
+  if (of_ratio && of_oil)
+    found.push_back({viscosity, "a value together with life.viscosity_ratio; one of the two is required"});
+  for (const auto& [key, stated] :
+       {std::pair{factor, life.contamination_factor.has_value()}, {level, life.cleanliness.has_value()}})
+    if (stated && !of_ratio && !of_oil)
+      found.push_back({key,
+                       "cleanliness without a viscosity; life.viscosity_ratio or "
+                       "lubricant.kinematic_viscosity is required with it"});
+  for (const auto& [key, stated] : {std::pair{ratio, of_ratio}, {viscosity, of_oil}})
+    if (stated && !life.contamination_factor && !life.cleanliness)
+      found.push_back({key,
+                       "a viscosity without cleanliness; life.contamination_factor or life.cleanliness is "
+                       "required with it"});
+  return found;
+}
+
+// From the viscosity and the speed; a_ISO is known from a least value on.
+mechanics::Problems problems(const ViscosityRatio& machine) {
+  const BearingOil& oil = machine.oil.oil;
+  if (machine.oil.life.viscosity_ratio || !oil.kinematic_viscosity) return {};
+  const char* key = oil.grade ? "lubricant.grade" : "lubricant.kinematic_viscosity";
+  const double speed = machine.rotation.relative(), viscosity = *oil.kinematic_viscosity;
+  if (speed == 0.0)
+    return {{key,
+             "a viscosity for rings that do not rotate; operation.shaft_speed is required, from which the "
+             "viscosity ratio follows"}};
+  if (!(machine.pitch_diameter > 0.0)) return {};  // not known
+  const double kappa = viscosity / rating::required_viscosity(speed, machine.pitch_diameter);
+  if (kappa >= rating::kLeastViscosityRatio) return {};
+  return {
+      {key, "a viscosity ratio kappa of " + significant(kappa, 3) + " by a viscosity of " +
+                significant(1e6 * viscosity, 3) + " mm2/s; at least " +
+                significant(rating::kLeastViscosityRatio, 6) +
+                " is required, where a_ISO begins: a thicker oil, a lower temperature or a higher speed"}};
+}
+
+namespace {
+
+void find_heat_without_flow(bool heated, system::HeatModel model, double flow, mechanics::Problems& found) {
+  if (heated && model == system::HeatModel::oil && !(flow > 0.0))
+    found.push_back({"heat.model",
+                     "heat that leaves with the oil, without a flow; lubricant.flow greater than 0 L/min is "
+                     "required"});
+}
+
+}  // namespace
+
+mechanics::Problems problems(const OilOfRollers& machine) {
+  const RollerOil& oil = machine.oil;
+  mechanics::Problems found;
+  find_heat_without_flow(oil.heated, oil.model, oil.flow, found);
+  if (oil.heated && oil.model == system::HeatModel::network)
+    found.push_back(
+        {"heat.model", "a network of bodies for rollers; oil is required: rollers heat the oil alone"});
+  append(motion::starvation_problems(oil.starvation, machine.size.has_value()), found);
+  return found;
+}
+
+mechanics::Problems problems(const BallsInTime& machine) {
+  const bearing::Bearing& bearing = machine.loaded.bearing;
+  const bearing::balls::MotionParameters& motion = moving_balls(machine);
+  const bearing::balls::MixtureParameters& mixture = motion.mixture;
+  const system::HeatParameters& heat = machine.simulation.heat;
+  const equilibrium::RingLoad& load = machine.loaded.load;
+  mechanics::Problems found;
+  if (!(motion.inner.mass > 0.0 && motion.inner.across > 0.0) &&
+      !(bearing.inner.seat_diameter > 0.0 && bearing.width > 0.0))
+    found.push_back({"simulation.duration",
+                     "an inner ring in motion whose mass is not known; bearing.bore and bearing.width are "
+                     "required, or rotor.mass and rotor.inertia"});
+  const bool filled = motion.drag.on && mixture.fill == bearing::balls::OilFill::parker;
+  if (filled && !(mixture.flow > 0.0))
+    found.push_back({"lubricant.fill",
+                     "a share of oil by the flow without a flow; lubricant.flow greater than 0 L/min is "
+                     "required"});
+  if (filled && machine.loaded.rotation.relative() == 0.0)
+    found.push_back({"lubricant.fill",
+                     "a share of oil by the speed of rings that do not rotate; operation.shaft_speed is "
+                     "required"});
+  find_heat_without_flow(heat.on, heat.model, mixture.flow, found);
+  append(bearing::motion::starvation_problems(
+             motion.race, bearing.inner.seat_diameter > 0.0 && bearing.outer.seat_diameter > 0.0),
+         found);
+  if (!(load.axial > 0.0 || load.radial > 0.0))
+    found.push_back({"load.radial", "no load; a radial or axial load greater than 0 N is required"});
+  return found;
+}
+
+}  // namespace orbearing::analysis
