@@ -24,10 +24,6 @@ void add_sets(unsigned models, const CaseShape& shape, std::vector<Input>& input
 
 }  // namespace
 
-std::string set_prefix(std::string_view set) {
-  return std::string(sets_block) + std::string(set) + ".";
-}
-
 std::string shaft_path(std::string_view shaft) {
   return std::string(shafts_block) + std::string(shaft);
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/case/field_table.hpp"
+#include "coupling/study/set_keys.hpp"
 
 namespace orbearing::app {
 
@@ -43,8 +44,8 @@ void find_parts(const Entry& root, CaseShape& shape);
 /// Message on a field that a case of that shape cannot have: what was found, what is required.
 ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path);
 
-/// "sets.NAME." and "shafts.NAME".
-std::string set_prefix(std::string_view set);
+using study::set_prefix;
+/// "shafts.NAME"
 std::string shaft_path(std::string_view shaft);
 /// Prefixes of the paths of the sets: one empty prefix in a case of one set.
 std::vector<std::string> set_prefixes(const CaseShape& shape);

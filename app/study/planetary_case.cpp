@@ -155,7 +155,7 @@ constexpr const char* kPinStiffness = "support.stiffness";
 void add_rows(const described::Record& record, const std::string& set, std::vector<Derived>& rows) {
   for (const described::Entry& entry : record.entries())
     rows.push_back(
-        {analysis::prefix_of(set) + described::name_without_unit(entry),
+        {set_prefix(set) + described::name_without_unit(entry),
          std::get<described::Numbers>(entry.content).values.front() * (1.0 / entry.dimension.factor),
          std::string(entry.dimension.customary), entry.meaning});
 }

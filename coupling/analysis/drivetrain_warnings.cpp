@@ -40,16 +40,12 @@ std::string as_loads(const PlanetaryDrivetrain& drivetrain, double moment) {
 
 }  // namespace
 
-std::string prefix_of(const std::string& set) {
-  return set.empty() ? "" : "sets." + set + ".";
-}
-
 std::vector<std::string> cage_warnings(const std::vector<NamedSet>& sets) {
   std::vector<std::string> warnings;
   for (const NamedSet& set : sets)
     if (set.drivetrain.bearing.has_cage() && set.drivetrain.dynamics.cage.guide_diameter == 0.0)
       warnings.push_back(
-          prefix_of(set.name) +
+          set_prefix(set.name) +
           "bearing.cage.guide_land_diameter: 0; in motion (--fidelity dynamic and above) no land "
           "guides the cage. Only its pockets hold it, and it may leave the bearing");
   return warnings;
@@ -60,7 +56,7 @@ std::vector<std::string> clearance_warnings(const std::vector<NamedSet>& sets) {
   for (const NamedSet& set : sets) {
     const bearing::Mounting& mounting = set.drivetrain.mounting;
     if (mounting.state != bearing::ClearanceState::unmounted) continue;
-    const std::string prefix = prefix_of(set.name);
+    const std::string prefix = set_prefix(set.name);
     if (!mounting.states_fits())
       warnings.push_back(prefix +
                          "bearing.fit: no interference given; the seats are assumed neither tight nor loose");
@@ -80,7 +76,7 @@ std::vector<std::string> overturning_warnings(const std::vector<NamedSet>& sets)
     const gearset::MeanLoads loads = study::bearing_duty(drivetrain, set.geometry).gears;
     const double moment = std::abs(loads.overturning_moment);
     warnings.push_back(
-        prefix_of(set.name) + "gearset.helix_angle: the axial forces tilt a planet by a moment of " +
+        set_prefix(set.name) + "gearset.helix_angle: the axial forces tilt a planet by a moment of " +
         significant(moment, kFour) +
         " N m at the case's input. The support of the tilt is assumed to carry this moment. On "
         "bearings on a stiff pin it is " +
@@ -138,7 +134,7 @@ std::vector<std::string> lamina_warnings(const std::vector<NamedSet>& sets) {
     if (!drivetrain.bearing.has_rollers() || drivetrain.bearing.rollers().laminae == 0) continue;
     const bearing::CylindricalRollers& rollers = drivetrain.bearing.rollers();
     const bool straight = std::holds_alternative<bearing::profile::Straight>(rollers.profile);
-    const std::string found = prefix_of(set.name) + "bearing.laminae: " + std::to_string(rollers.laminae);
+    const std::string found = set_prefix(set.name) + "bearing.laminae: " + std::to_string(rollers.laminae);
     const bool tilts = drivetrain.seats.tilt == study::TiltState::computed ||
                        drivetrain.misalignment.planet_tilt || drivetrain.misalignment.carrier_wind_up;
     if (rollers.laminae < enough && (tilts || !straight))
@@ -162,7 +158,7 @@ std::vector<std::string> soft_rim_warnings(const std::vector<NamedSet>& sets) {
   for (const NamedSet& set : sets) try {
       const double gain = study::gain_by_stiffer_rim(set.drivetrain, set.geometry, stiffer);
       if (gain > least_gain)
-        warnings.push_back((sets.size() > 1 ? prefix_of(set.name) : "") +
+        warnings.push_back((sets.size() > 1 ? set_prefix(set.name) : "") +
                            "gearset.planet_rim: the rim is softer than that of the longest life. Twice as "
                            "stiff, the life at " +
                            significant(set.drivetrain.drive.speed * 30.0 / constants::pi, kSix) + " rpm is " +

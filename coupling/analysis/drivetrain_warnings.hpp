@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/study/multi_stage.hpp"
+#include "coupling/study/set_keys.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_pair.hpp"
 #include "gearset/stated_geometry.hpp"
@@ -14,8 +15,7 @@
 
 namespace orbearing::analysis {
 
-/// Beginning of the keys of a set; none for a single one.
-std::string prefix_of(const std::string& set);
+using study::set_prefix;
 
 /// Cages in motion without a land: nothing but rollers holds them.
 std::vector<std::string> cage_warnings(const std::vector<study::NamedSet>& sets);

@@ -207,7 +207,7 @@ std::vector<std::string> thin_rim_warnings(const std::vector<study::NamedSet>& s
   std::vector<std::string> warnings;
   for (const study::NamedSet& set : sets)
     for (const std::string& text : judge({{kThinnestRim, set.geometry.rim_over_module}}).warnings)
-      warnings.push_back(prefix_of(set.name) + text);
+      warnings.push_back(set_prefix(set.name) + text);
   return warnings;
 }
 
