@@ -195,7 +195,7 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
 
 namespace {
 
-void add_found_before(const FoundBefore& before, nlohmann::ordered_json& object) {
+void add_earlier_findings(const FindingsBeforeSweep& before, nlohmann::ordered_json& object) {
   if (before.record == nullptr) return;
   nlohmann::ordered_json whole = json_of(*before.record);
   whole.update(object);
@@ -208,11 +208,11 @@ void add_found_before(const FoundBefore& before, nlohmann::ordered_json& object)
 }  // namespace
 
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Printing& print,
-                  const FoundBefore& before) {
+                  const FindingsBeforeSweep& before) {
   if (print.json) {
     Record form;
     nlohmann::ordered_json object = sweep_object(resolved, outcome, form);
-    add_found_before(before, object);
+    add_earlier_findings(before, object);
     print_result(std::move(object), form, print);
   } else if (!print.quiet) {
     const FoundPeak found = find_peak(outcome);

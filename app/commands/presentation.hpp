@@ -54,7 +54,7 @@ void put_execution(const ResultPlace& place, int jobs, const Printing& print, Sw
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
 
 /// Findings of a command before its sweep.
-struct FoundBefore {
+struct FindingsBeforeSweep {
   const Record* record = nullptr;
   std::vector<std::string> warnings{};
 };
@@ -62,6 +62,6 @@ struct FoundBefore {
 /// Prints what a finished sweep found, behind what was found before: JSON, or the table and the peak; points
 /// that failed are reported in any case. Returns the exit code.
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Printing& print,
-                  const FoundBefore& before = {});
+                  const FindingsBeforeSweep& before = {});
 
 }  // namespace orbearing::app

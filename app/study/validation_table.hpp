@@ -14,14 +14,6 @@
 
 namespace orbearing::app {
 
-// Samples of the uncertain numbers of a case.
-
-/// A Latin hypercube of the joint distribution: each number by its own distribution, joined by the normal
-/// copula of the correlations. The same seed gives the same numbers on every machine.
-/// @return [SI] (samples, inputs)
-std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples,
-                                                   std::uint64_t seed);
-
 /// Distribution of our number when the case's uncertain inputs take their distributions.
 struct ValidationBand {
   double low_90 = 0.0, low_50 = 0.0, high_50 = 0.0, high_90 = 0.0;  // ends of the middle 90 % and 50 %

@@ -133,7 +133,7 @@ TorqueFactors gear_unit_factors(const BearingSize& size, const TorqueCondition& 
   return {3.0, 0.0003, at.radial};
 }
 
-PartedTorque parted_torque(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at) {
+TorqueParts torque_parts(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at) {
   constexpr double slow = 2000.0;  // [mm^2/s rpm]
   const Printed p(mean_diameter, at);
   const double product = p.viscosity * p.speed, cube = std::pow(p.mean_diameter, 3.0);

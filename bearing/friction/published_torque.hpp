@@ -51,8 +51,8 @@ struct TorqueCondition {
   double axial = 0.0;      // [N]
 };
 
-/// By load-free and load-dependent part.
-struct PartedTorque {
+/// Torque by its load-free and its load-dependent part.
+struct TorqueParts {
   double load_free = 0.0;       // [N m]  M_0
   double load_dependent = 0.0;  // [N m]  M_1
 
@@ -71,7 +71,7 @@ TorqueFactors palmgren_factors(const BearingSize& size, const TorqueCondition& a
 /// By type only [ISOTR14179].
 TorqueFactors gear_unit_factors(const BearingSize& size, const TorqueCondition& at);
 /// Eqs. (1) and (2).
-PartedTorque parted_torque(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at);
+TorqueParts torque_parts(const TorqueFactors& factors, double mean_diameter, const TorqueCondition& at);
 
 struct SkfTorque {
   double rolling = 0.0;         // [N m]  M_rr, both factors in it

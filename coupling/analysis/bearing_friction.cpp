@@ -61,7 +61,7 @@ void put_torque(Record& record, double torque, const FrictionByStandards& standa
 }
 
 template <class Standards>
-void put_parted(Record& record, const friction::PartedTorque& torque, const Standards& standards) {
+void put_torque_parts(Record& record, const friction::TorqueParts& torque, const Standards& standards) {
   record.value("load_free_N_mm", dimension::small_torque, "by viscosity and speed", torque.load_free).symbol =
       "M_0";
   record.value("load_dependent_N_mm", dimension::small_torque, "by the load", torque.load_dependent).symbol =
@@ -104,9 +104,9 @@ void describe(Record& record, const BearingFriction& friction) {
 
 void describe(Record& record, const FrictionByStandards& standards) {
   record.child("palmgren", "by f_0 and f_1 of the series", standards,
-               [](Record& one, const auto& of) { put_parted(one, of.palmgren, of); });
+               [](Record& one, const auto& of) { put_torque_parts(one, of.palmgren, of); });
   record.child("iso_tr_14179_2", "by f_0 and f_1 of the type", standards,
-               [](Record& one, const auto& of) { put_parted(one, of.gear_unit, of); });
+               [](Record& one, const auto& of) { put_torque_parts(one, of.gear_unit, of); });
   record.child("skf", "without drag of an oil bath", standards, [](Record& one, const auto& of) {
     one.value("rolling_N_mm", dimension::small_torque, "with both factors", of.skf.rolling).symbol = "M_rr";
     one.value("sliding_N_mm", dimension::small_torque, "of the contacts", of.skf.sliding).symbol = "M_sl";
@@ -297,8 +297,8 @@ std::optional<FrictionByStandards> friction_by_standards(const LoadedBearing& in
       .speed = ours.speed, .viscosity = ours.viscosity, .radial = in.load.radial, .axial = in.load.axial};
   const double mean = size->mean_diameter();
   FrictionByStandards found{.size = *size,
-                            .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
-                            .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
+                            .palmgren = torque_parts(palmgren_factors(*size, at), mean, at),
+                            .gear_unit = torque_parts(gear_unit_factors(*size, at), mean, at),
                             .skf = skf_torque(*size, at),
                             .ours = ours};
   if (!(ours.isothermal > 0.0)) found.ours.isothermal = ours.rolling / found.skf.inlet_heating;

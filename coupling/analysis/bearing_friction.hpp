@@ -38,7 +38,7 @@ void describe(described::Record& record, const BearingFriction& friction);
 
 struct FrictionByStandards {
   bearing::friction::BearingSize size;
-  bearing::friction::PartedTorque palmgren, gear_unit;
+  bearing::friction::TorqueParts palmgren, gear_unit;
   bearing::friction::SkfTorque skf;
   OurFriction ours;  // with its resistance without heating
 };

@@ -1,5 +1,5 @@
 // Samples of uncertain inputs against the quantiles and moments of their distributions.
-#include "app/study/validation_table.hpp"
+#include "app/study/uncertain_samples.hpp"
 
 #include <gtest/gtest.h>
 

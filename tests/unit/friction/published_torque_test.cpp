@@ -30,7 +30,7 @@ TorqueCondition at(double rpm, double mm2_s, double radial, double axial = 0.0) 
 // x 33.5 mm.
 TEST(PalmgrenTorque, OfARollerBearingByHand) {
   const TorqueCondition run = at(17000.0, 12.0, 1100.0);
-  const PartedTorque torque = parted_torque(palmgren_factors(roller_bearing(), run), 33.5e-3, run);
+  const TorqueParts torque = torque_parts(palmgren_factors(roller_bearing(), run), 33.5e-3, run);
   EXPECT_NEAR(torque.load_free, 26.057e-3, kByHand * 26.057e-3);
   EXPECT_NEAR(torque.load_dependent, 11.055e-3, kByHand * 11.055e-3);
 }
@@ -38,15 +38,15 @@ TEST(PalmgrenTorque, OfARollerBearingByHand) {
 // For balls f_1 grows with the root of the load: 0.0009 (390/7800)^0.5 = 2.0125e-4, x 390 N x 38.5 mm.
 TEST(PalmgrenTorque, OfABallBearingByHand) {
   const TorqueCondition run = at(28000.0, 12.0, 390.0);
-  const PartedTorque torque = parted_torque(palmgren_factors(ball_bearing(), run), 38.5e-3, run);
+  const TorqueParts torque = torque_parts(palmgren_factors(ball_bearing(), run), 38.5e-3, run);
   EXPECT_NEAR(torque.load_dependent, 3.0217e-3, kByHand * 3.0217e-3);
 }
 
 // Below nu n = 2000 mm^2/s rpm M_0 does not depend on the speed; there it jumps by 160/2000^(2/3) = 1.008.
 TEST(PalmgrenTorque, IsConstantAtLowSpeed) {
   const TorqueFactors factors{.load_free = 2.0};
-  const double slow = parted_torque(factors, 40e-3, at(100.0, 10.0, 0.0)).load_free,
-               slower = parted_torque(factors, 40e-3, at(10.0, 10.0, 0.0)).load_free;
+  const double slow = torque_parts(factors, 40e-3, at(100.0, 10.0, 0.0)).load_free,
+               slower = torque_parts(factors, 40e-3, at(10.0, 10.0, 0.0)).load_free;
   EXPECT_DOUBLE_EQ(slow, slower);
   EXPECT_NEAR(slow, 160e-7 * 2.0 * 64e3 * 1e-3, 1e-12);
 }
