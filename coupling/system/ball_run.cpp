@@ -215,14 +215,6 @@ double mean_of(double sum, double count) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-// Half of the 95 % interval of a mean, by Student's t of the means of its parts.
-double error_of_mean(const std::array<double, kPartsObserved>& parts) {
-  const boost::math::students_t spread(kPartsObserved - 1);
-  const auto of = Eigen::Map<const Eigen::ArrayXd>(parts.data(), kPartsObserved);
-  const double squares = (of - of.mean()).square().sum();
-  return quantile(spread, 0.975) * std::sqrt(squares / (kPartsObserved * (kPartsObserved - 1)));
-}
-
 // Sums of parts over their counts; not a number where a part is empty.
 std::array<double, kPartsObserved> means_of_parts(const std::array<double, kPartsObserved>& sums,
                                                   const std::array<double, kPartsObserved>& counts) {
@@ -290,6 +282,13 @@ bool is_symmetric(const bearing::balls::BallDuty& duty) {
 }
 
 }  // namespace
+
+double error_of_mean(const std::array<double, kPartsObserved>& parts) {
+  const boost::math::students_t spread(kPartsObserved - 1);
+  const auto of = Eigen::Map<const Eigen::ArrayXd>(parts.data(), kPartsObserved);
+  const double squares = (of - of.mean()).square().sum();
+  return quantile(spread, 0.975) * std::sqrt(squares / (kPartsObserved * (kPartsObserved - 1)));
+}
 
 std::optional<double> settling_time(const SlipHistory& h, double end, double band) {
   const double last_third = 2.0 / 3.0 * end;

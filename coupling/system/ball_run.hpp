@@ -1,6 +1,7 @@
 // A single ball bearing, run in time under given speeds and loads: run-up, settling, then the observed part.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -98,6 +99,8 @@ struct BallSeries {
 
 /// Parts of the observed time for the error of its means.
 inline constexpr std::size_t kPartsObserved = 10;
+/// Half of the 95 % interval of a mean, by Student's t of the means of its parts, in their unit.
+double error_of_mean(const std::array<double, kPartsObserved>& parts);
 
 /// Means over the observed time.
 struct BallMeans {

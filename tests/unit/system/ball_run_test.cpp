@@ -74,6 +74,12 @@ TEST(SettlingTime, GoesByTheMeanOfTheLastThirdAndIsNoneThere) {
   EXPECT_FALSE(settling_time({{}, {}}, 9.0, 0.05).has_value());  // an outer ring that stands and one that does not turn
 }
 
+// Parts 1 to 10: variance of one 55/6, of their mean 11/12; Student's t of nine degrees of freedom 2.262157.
+TEST(ErrorOfMean, IsThatOfStudentsT) {
+  EXPECT_NEAR(error_of_mean({3.0, 1.0, 2.0, 10.0, 4.0, 5.0, 9.0, 6.0, 7.0, 8.0}), 2.262157163 * std::sqrt(11.0 / 12.0), 1e-8);
+  EXPECT_EQ(error_of_mean({2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0}), 0.0);
+}
+
 BallRunResult run(double load, double speed, const BallRunOptions& options, double clearance = 20e-6) {
   const bearing::Bearing b = small_ball_bearing(clearance);
   BallDuty duty;
