@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "app/case/catalogue_file.hpp"
+#include "app/case/catalogue_quantities.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
