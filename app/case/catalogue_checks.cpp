@@ -162,7 +162,7 @@ void check_class(CheckedCase& in) {
               "bearing.radial_clearance, of pin, rollers and bore together, is required");
   const std::optional<double> bore = bore_of(in);
   if (!bore) {
-    add_error("a clearance class without a bore", "bearing.designation or bearing.bore is required as well");
+    add_error("a clearance class without a bore", kBoreRequired);
     return;
   }
   try {

@@ -52,7 +52,7 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
 
 catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which) {
   const std::optional<double> bore = bore_of(in);
-  if (!bore) throw std::invalid_argument("bearing.designation or bearing.bore is required as well");
+  if (!bore) throw std::invalid_argument(kBoreRequired);
   return catalogue::clearance_range(family_of(in), class_of(which), *bore);
 }
 
