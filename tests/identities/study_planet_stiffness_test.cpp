@@ -56,6 +56,19 @@ TEST(PlanetStiffness, OfAStiffRimIsThatOfItsParts) {
   EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm());
 }
 
+// Over positions that lie within a pitch, whatever the number of rollers: 15 times 15 positions of 1/4 or 1/16 would be the same ones.
+TEST(PlanetStiffness, IsThatOfItsPartsWithOtherNumbersOfRollers) {
+  for (const int rollers : {12, 13, 14}) {
+    PlanetaryDrivetrain drivetrain = elastic_reducer();
+    drivetrain.bearing.rollers().count = rollers;
+    const DrivetrainGeometry geometry = stiff_rim(drivetrain);
+    Eigen::Matrix4d parts = Eigen::Matrix4d::Zero();
+    parts.diagonal().head<2>() << kSun, kRing;
+    parts.bottomRightCorner<2, 2>() = bearing_tangent(drivetrain, geometry).stiffness;
+    EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm()) << rollers;
+  }
+}
+
 TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
   const PlanetaryDrivetrain drivetrain = elastic_reducer();
   const Eigen::Matrix4d soft = planet_stiffness(drivetrain, derive(drivetrain), kSun, kRing);

@@ -6,7 +6,10 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "app/results/record_writers.hpp"
 
@@ -153,6 +156,26 @@ TEST(Record, HasArraysOfAGridAsCsv) {
     map.series("k_N_per_m", described::dimension::stiffness, "", {"x", "y"}, of.stiffness);
   });
   EXPECT_EQ(csv_of(record.entries().front()), "x_mm,y_mm,k_N_per_m\n0,0,1\n0,2,2\n1,0,3\n1,2,4\n");
+}
+
+// Words of unlike length fill lines of at most 160 letters, each as far as the next word does not fit.
+TEST(Record, HasLongListsInLinesThatAreFull) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < 60; ++i) words.push_back(std::string(3 + 7 * (i % 4), static_cast<char>('a' + i % 26)));
+  Record record;
+  record.value("words", "of unlike length", words);
+  std::istringstream lines(text_of(record));
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(',') != std::string::npos || found.size() > 1) found.push_back(line);
+  ASSERT_GT(found.size(), 3u);
+  for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+    EXPECT_LE(found[i].size(), 160u) << found[i];
+    const std::size_t next = found[i + 1].find(',', 2);
+    if (next != std::string::npos) {
+      EXPECT_GT(found[i].size() + next, 160u) << found[i];
+    }
+  }
 }
 
 TEST(Record, IsTextWithMeanings) {

@@ -91,6 +91,10 @@ TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
   EXPECT_EQ(motion_json(now, 9.5).at("share"), 0.25);
   EXPECT_EQ(motion_json(now, 9.5).at("seconds_left"), 9.5);
   EXPECT_TRUE(motion_json(now, std::nullopt).at("seconds_left").is_null());
+  bearing::motion::Snapshot moved;
+  moved.cage_position << 2e-6, -3e-6;
+  const system::MotionProgress beside{.time = 0.12, .most = 1.2, .expected = 0.48, .bearing = moved};
+  EXPECT_EQ(motion_json(beside, 9.5).at("cage_um"), nlohmann::ordered_json::parse("[2.0, -3.0]"));
   now.run = 2;
   now.most_runs = 8;
   EXPECT_EQ(motion_text(now, 9.6), "run 2 of at most 8: 0.12 s of 0.48 s in motion, 25 %, 0:10 to go");
