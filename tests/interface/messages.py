@@ -347,6 +347,7 @@ class Messages(unittest.TestCase):
         self.assertEqual(sorted(table), sorted(set(used)))
         self.assertEqual(len(used), len(set(used)), "an id stands for one call")
 
+    @unittest.skipIf("ORBEARING_MUTANT" in os.environ, "sources that hold errors have their messages twice")
     def test_every_message_is_provoked(self):
         ids, missing = all_ids(), missing_ids()
         left = set(not_yet())
