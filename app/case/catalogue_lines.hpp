@@ -37,7 +37,7 @@ inline constexpr std::array<Seat, 2> kSeats{
 /// By its line, if any, or as a case states it.
 catalogue::Family family_of(const catalogue::Entry* entry, unsigned model, bool has_contact_angle);
 catalogue::Family family_of(const ResolvedCase& in);
-/// Of a class without a bore.
+/// Requirement where a clearance class has no bore.
 inline constexpr const char* kBoreRequired = "bearing.designation or bearing.bore is required as well";
 /// Bore [m] by the line of the case's designation, or as stated; none: not known.
 std::optional<double> bore_of(const ResolvedCase& in);

@@ -57,7 +57,7 @@ mechanics::Problems problems(const SampledRing& machine) {
 
 namespace {
 
-// Of inputs whose other mistakes are not found yet.
+// None where the inputs have other mistakes, which are found elsewhere.
 std::optional<double> natural_frequency(const ScratchedInHousing& in) {
   try {
     return defect::ScratchedMotion(in.bodies()).static_position().natural_frequency;
