@@ -205,7 +205,9 @@ class Site(unittest.TestCase):
                     self.assertTrue(any("docs/guide/glossary.html" in address for address in found), found[:5])
 
     def test_in_a_browser_keys_are_filtered(self):
-        shown = "return [...document.querySelectorAll('section tbody tr')].filter((e) => e.offsetParent).map((e) => e.textContent)"
+        shown = ("const place = document.querySelector('p.key-filter');"  # the table of numerical settings comes before it
+                 "return [...document.querySelectorAll('section tbody tr')].filter((e) => e.offsetParent && place.compareDocumentPosition(e) & 4)"
+                 ".map((e) => e.textContent)")
         with browser() as opened:
             from selenium.webdriver.common.by import By
             from selenium.webdriver.support.ui import Select
