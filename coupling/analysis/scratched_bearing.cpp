@@ -18,8 +18,32 @@ using described::Record;
 using mechanics::significant;
 namespace dimension = described::dimension;
 
+namespace {
+
+// Depths of a profile are those of a scratch.
+template <class Inputs>
+std::vector<mechanics::Conditional<Inputs>> conditions_of_scratch() {
+  return {
+      {.keys = {"defect.profile"},
+       .premises = {{.on = {"defect.race"},
+                     .holds = [](const Inputs& in) { return in.of.scratch.race != defect::Scratched::none; },
+                     .value = "outer|inner|ball|roller"}}}};
+}
+
+}  // namespace
+
+std::vector<mechanics::Conditional<RingOnBalls>> RingOnBalls::conditions() {
+  return conditions_of_scratch<RingOnBalls>();
+}
+
+std::vector<mechanics::Conditional<RingOnRollers>> RingOnRollers::conditions() {
+  return conditions_of_scratch<RingOnRollers>();
+}
+
 std::vector<mechanics::Conditional<ScratchedBallsInMotion>> ScratchedBallsInMotion::conditions() {
-  return conditions_of_ball_friction<ScratchedBallsInMotion>();
+  auto all = conditions_of_scratch<ScratchedBallsInMotion>();
+  mechanics::append(conditions_of_ball_friction<ScratchedBallsInMotion>(), all);
+  return all;
 }
 
 mechanics::Problems problems(const ScratchOfBalls& machine) {

@@ -53,6 +53,8 @@ void describe(Visitor& visit, ScratchedInHousing& m, described::Model model, con
 /// The outer ring on balls without mass.
 struct RingOnBalls {
   ScratchedInHousing of{.bearing = {.elements = bearing::Balls{}}};
+
+  static std::vector<mechanics::Conditional<RingOnBalls>> conditions();
 };
 template <class Visitor>
 void describe(Visitor& visit, RingOnBalls& m) {
@@ -66,6 +68,8 @@ void describe(Visitor& visit, RingOnBalls& m) {
 /// The outer ring on rollers without mass: the whole machine of such a case.
 struct RingOnRollers {
   ScratchedInHousing of{.bearing = {.elements = bearing::CylindricalRollers{}}};
+
+  static std::vector<mechanics::Conditional<RingOnRollers>> conditions();
 };
 template <class Visitor>
 void describe(Visitor& visit, RingOnRollers& m) {
