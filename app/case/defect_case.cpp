@@ -8,6 +8,7 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/machine_of.hpp"
 #include "app/case/mistake.hpp"
 #include "app/errors.hpp"
 #include "bearing/defect/scratch.hpp"
@@ -40,7 +41,7 @@ void check_location(CheckedCase& in, const std::string& prefix) {
   at_most("defect.planet", "gearset.planets");
   at_most("defect.bearing", "bearing.per_planet");
   at_most("defect.element", "bearing.rollers");
-  const analysis::EnvelopeBand band{in.has("signal.band") ? in.list("signal.band") : std::vector<double>{}};
+  const auto band = machine_of<analysis::EnvelopeBand>(in);
   for (const mechanics::Problem& problem : analysis::problems(band, in.quantity("signal.sampling_rate")))
     in.add_error(problem.key, problem.text);
 }

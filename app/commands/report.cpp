@@ -18,9 +18,9 @@
 #include "app/results/result_folder.hpp"
 #include "app/study/analysis.hpp"
 #include "app/study/crown/crown_study.hpp"
-#include "app/study/scratch_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
+#include "app/study/scratch_case.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {

@@ -28,7 +28,7 @@ analysis::ScratchedSet scratched_set_of(const ResolvedCase& in) {
           .scratch = from_case<bearing::defect::Scratch>(in),
           .position = from_case<study::ScratchedPosition>(in),
           .sampling = from_case<study::PlanetSampling>(in),
-          .band = {in.has("signal.band") ? in.list("signal.band") : std::vector<double>{}}};
+          .band = machine_of<analysis::EnvelopeBand>(in)};
 }
 
 }  // namespace orbearing::app
