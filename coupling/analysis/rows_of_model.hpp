@@ -2,16 +2,17 @@
 // a part that an analysis takes.
 #pragma once
 
-#include <algorithm>
-#include <functional>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "bearing/profile/profile.hpp"
 #include "mechanics/described.hpp"
+#include "mechanics/extents.hpp"
 
 namespace orbearing::analysis {
+
+using mechanics::Extents;
 
 /// Types of members that a case can state.
 template <class T>
@@ -48,31 +49,46 @@ template <class Visitor>
 class RowsWithout {
  public:
   template <class... Members>
-  explicit RowsWithout(Visitor& visit, const Members&... left_out)
-      : visit_(visit), left_out_{{&left_out, &left_out + 1}...} {}
+  explicit RowsWithout(Visitor& visit, const Members&... left_out) : visit_(visit), left_out_(left_out...) {}
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (std::ranges::none_of(left_out_, [&](const Extent& one) { return one.holds(&member); }))
-      visit_(member, facts);
+    if (!left_out_.hold(&member)) visit_(member, facts);
   }
 
  private:
-  struct Extent {
-    const void *begin, *end;
-    bool holds(const void* address) const {
-      return !std::less<>()(address, begin) && std::less<>()(address, end);
-    }
-  };
-
   Visitor& visit_;
-  std::vector<Extent> left_out_;
+  Extents left_out_;
+};
+
+/// A visitor that passes on the rows of some members, or their parts, alone.
+template <class Visitor>
+class RowsOnly {
+ public:
+  template <class... Members>
+  explicit RowsOnly(Visitor& visit, const Members&... taken) : visit_(visit), taken_(taken...) {}
+
+  template <class Member>
+  void operator()(Member& member, const described::Facts& facts) {
+    if (taken_.hold(&member)) visit_(member, facts);
+  }
+
+ private:
+  Visitor& visit_;
+  Extents taken_;
 };
 
 /// Describes `part` but for some of its members.
 template <class Visitor, class Part, class... Members>
 void describe_without(Visitor& visit, Part& part, const Members&... left_out) {
   RowsWithout<Visitor> rows(visit, left_out...);
+  describe(rows, part);
+}
+
+/// Describes some members of `part`.
+template <class Visitor, class Part, class... Members>
+void describe_only(Visitor& visit, Part& part, const Members&... taken) {
+  RowsOnly<Visitor> rows(visit, taken...);
   describe(rows, part);
 }
 

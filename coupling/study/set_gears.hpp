@@ -19,6 +19,17 @@ struct SetGears {
   GearDynamicsChoice choice;
   mechanics::Elasticity material;
 };
+template <class Visitor>
+void describe(Visitor& visit, SetGears& m) {
+  using namespace described;
+  members(visit, m,
+          part(m.choice,
+               [&] {
+                 rows(visit, part(m.choice), part(m.choice.bodies), part(m.choice.run_up),
+                      part(m.choice.frame));
+               }),
+          part(m.material));
+}
 
 /// Mesh periods of a run of gears in time.
 struct GearRunPeriods {
