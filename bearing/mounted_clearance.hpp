@@ -105,14 +105,14 @@ void describe(Visitor& visit, Mounting& m) {
   using namespace described;
   constexpr Where unmounted{"bearing.clearance_state", "unmounted"};
   const auto interference = [&](std::optional<double>& member, const char* path, const char* meaning) {
-    return field(member, path, Physics::balance, meaning,
+    return field(member, path, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::small_length,
                   .range = {-500.0, 500.0},
                   .where = unmounted});
   };
   const auto temperature = [&](std::optional<double>& member, const char* path, const char* meaning) {
-    return field(member, path, Physics::balance, meaning,
+    return field(member, path, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::temperature,
                   .range = {-60.0, 400.0},
@@ -120,11 +120,11 @@ void describe(Visitor& visit, Mounting& m) {
   };
   members(
       visit, m,
-      field(m.rings, "bearing.rings", Physics::balance,
+      field(m.rings, "bearing.rings",
             "rings of a planet bearing: both; outer, with rollers on the pin; or none, with rollers on the "
             "pin and in the planet's bore",
             {.models = planetary_drivetrain, .reason = "as most catalogue bearings"}),
-      field(m.state, "bearing.clearance_state", Physics::balance,
+      field(m.state, "bearing.clearance_state",
             "state of bearing.radial_clearance: running bearing, or unmounted bearing, from which fits, "
             "temperatures and speeds give the running clearance",
             {.models = planetary_drivetrain, .reason = "published clearances are those of running bearings"}),
@@ -134,12 +134,12 @@ void describe(Visitor& visit, Mounting& m) {
       interference(
           m.outer_interference, "bearing.fit.outer_interference",
           "interference of outer ring and planet bore before assembly, in diameter; negative: loose"),
-      field(m.pin_bore, "bearing.fit.pin_bore", Physics::balance, "diameter of the hole in the pin",
+      field(m.pin_bore, "bearing.fit.pin_bore", "diameter of the hole in the pin",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = {0.0, 1e4},
              .where = unmounted}),
-      field(m.expansion, "bearing.fit.expansion", Physics::balance,
+      field(m.expansion, "bearing.fit.expansion",
             "linear thermal expansion of rings, rollers, pin and planet",
             {.models = planetary_drivetrain,
              .dimension = dimension::per_kelvin,

@@ -43,7 +43,7 @@ void describe(Visitor& visit, FlankModifications& m) {
   constexpr unsigned set = planetary_drivetrain;
   constexpr Where loaded{"gearset.tooth_contact", "loaded"};
   const auto removed = [&](double& member, const std::string& path, const std::string& meaning) {
-    return field(member, "gearset." + path, Physics::central_teeth, meaning,
+    return field(member, "gearset." + path, meaning,
                  {.models = set,
                   .dimension = dimension::small_length,
                   .range = {0.0, 500.0},
@@ -51,7 +51,7 @@ void describe(Visitor& visit, FlankModifications& m) {
                   .where = loaded});
   };
   const auto slope = [&](double& member, const std::string& gear) {
-    return field(member, "gearset.lead_slope." + gear, Physics::central_teeth,
+    return field(member, "gearset.lead_slope." + gear,
                  "additional distance of the flanks of " + gear + " and planet at one end of the face",
                  {.models = set,
                   .dimension = dimension::small_length,
@@ -61,21 +61,20 @@ void describe(Visitor& visit, FlankModifications& m) {
   };
   const std::string relief = "tip relief of the ", crown = "lead crown of the ";
   members(visit, m,
-          field(m.contact, "gearset.tooth_contact", Physics::central_teeth,
+          field(m.contact, "gearset.tooth_contact",
                 "stepped: tooth pairs enter and leave contact at the ends of the path of contact, at any "
                 "load; loaded: deflection also closes the gaps before and after",
                 {.models = set, .reason = "as published models have it; loaded teeth are smoother"}),
           removed(m.sun_relief, "tip_relief.sun", relief + "sun, normal to its flank at the tip"),
           removed(m.planet_relief, "tip_relief.planet", relief + "planet"),
           removed(m.ring_relief, "tip_relief.ring", relief + "ring"),
-          field(m.relief_length, "gearset.tip_relief.length", Physics::central_teeth,
+          field(m.relief_length, "gearset.tip_relief.length",
                 "length of the relief along the line of action, in modules",
                 {.models = set,
                  .range = {0.05, 5.0},
                  .reason = "within the part of the path where two pairs carry",
                  .where = loaded}),
-          field(m.relief_form, "gearset.tip_relief.form", Physics::central_teeth,
-                "shape of the relief towards the tip",
+          field(m.relief_form, "gearset.tip_relief.form", "shape of the relief towards the tip",
                 {.models = set,
                  .reason = "straight in the diagram of the profile, as drawings have it",
                  .where = loaded}),

@@ -26,8 +26,7 @@ template <class Visitor>
 void describe(Visitor& visit, ExternalPair& m) {
   using namespace described;
   members(visit, m,
-          input(m.driven_bore, "driven_bore",
-                "bore of the second gear, which is driven; pair.bore if absent",
+          input(m.driven_bore, "driven_bore", "bore of the second gear, which is driven; pair.bore if absent",
                 {.dimension = dimension::length, .range = positive(1e5)}));
 }
 
@@ -68,9 +67,7 @@ struct GearPair {
   std::size_t ring() const { return teeth[0] > teeth[1] ? 0 : 1; }
   std::size_t inside() const { return 1 - ring(); }
   /// [m]  diameter of a gear that is no ring
-  double bore_of(std::size_t gear) const {
-    return gear == 1 ? driven_bore().value_or(bore) : bore;
-  }
+  double bore_of(std::size_t gear) const { return gear == 1 ? driven_bore().value_or(bore) : bore; }
 };
 
 template <class Visitor>
@@ -80,22 +77,21 @@ void describe(Visitor& visit, GearPair& m) {
     return input(member, std::move(key), std::move(meaning),
                  {.dimension = dimension::length, .range = positive(most)});
   };
-  members(visit, m,
-          input(m.teeth, "teeth", "teeth of both gears, the driving one first", {.range = {5, 2000}}),
-          length(m.module, "module", "normal module", 100.0),
-          length(m.face_width, "face_width", "width of the teeth", 1e4),
-          length(m.bore, "bore", "bore of both gears, or of the one inside a ring, held by a rigid shaft",
-                 1e5),
-          part(m.rack, [&] { describe_rack(visit, m.rack, "", Physics::everywhere, no_model); }),
-          input(m.shift, "profile_shift",
-                "profile shifts of both gears, in modules; that of a ring positive outward",
-                {.range = {-2.0, 2.0}, .reason = "standard gears"}),
-          helix_row(m.helix_angle, "", Physics::everywhere, no_model, "first gear"),
-          part(m.web, [&] { describe_web(visit, m.web, "", Physics::everywhere, no_model); }),
-          choice(m.kind, "kind",
-                 "external: both gears have their teeth outside; internal: the one with more teeth is a "
-                 "ring around the other",
-                 {.reason = "two external gears"}));
+  members(
+      visit, m, input(m.teeth, "teeth", "teeth of both gears, the driving one first", {.range = {5, 2000}}),
+      length(m.module, "module", "normal module", 100.0),
+      length(m.face_width, "face_width", "width of the teeth", 1e4),
+      length(m.bore, "bore", "bore of both gears, or of the one inside a ring, held by a rigid shaft", 1e5),
+      part(m.rack, [&] { describe_rack(visit, m.rack, "", no_model); }),
+      input(m.shift, "profile_shift",
+            "profile shifts of both gears, in modules; that of a ring positive outward",
+            {.range = {-2.0, 2.0}, .reason = "standard gears"}),
+      helix_row(m.helix_angle, "", no_model, "first gear"),
+      part(m.web, [&] { describe_web(visit, m.web, "", no_model); }),
+      choice(m.kind, "kind",
+             "external: both gears have their teeth outside; internal: the one with more teeth is a "
+             "ring around the other",
+             {.reason = "two external gears"}));
 }
 
 /// A pair of external gears as assembled without backlash.

@@ -36,21 +36,19 @@ struct BasicRack {
 
 /// Rack of the block "gearset." or "pair." of a case.
 template <class Visitor>
-void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, described::Physics physics,
-                   unsigned models) {
+void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, unsigned models) {
   using namespace described;
   const std::string_view rack = "the basic rack of ISO 53";
-  members(
-      visit, m,
-      field(m.pressure_angle, block + "pressure_angle", physics, "normal pressure angle of the basic rack",
-            {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
-      field(m.addendum, block + "addendum", physics, "addendum of the basic rack, in modules",
-            {.models = models, .range = {0.5, 1.5}, .reason = rack}),
-      field(m.clearance, block + "clearance", physics, "bottom clearance of the basic rack, in modules",
-            {.models = models, .range = {0.0, 0.6}, .reason = rack}),
-      field(m.root_fillet_radius, block + "root_fillet_radius", physics,
-            "root fillet radius of the basic rack, in modules",
-            {.models = models, .range = {0.0, 0.6}, .reason = rack}));
+  members(visit, m,
+          field(m.pressure_angle, block + "pressure_angle", "normal pressure angle of the basic rack",
+                {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
+          field(m.addendum, block + "addendum", "addendum of the basic rack, in modules",
+                {.models = models, .range = {0.5, 1.5}, .reason = rack}),
+          field(m.clearance, block + "clearance", "bottom clearance of the basic rack, in modules",
+                {.models = models, .range = {0.0, 0.6}, .reason = rack}),
+          field(m.root_fillet_radius, block + "root_fillet_radius",
+                "root fillet radius of the basic rack, in modules",
+                {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
 
 /// Tooth heights of a single gear that differ from the rack's; none: as the rack.
@@ -62,14 +60,14 @@ struct OwnHeights {
 
 /// Heights of the sun, a planet or the ring.
 template <class Visitor>
-void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, described::Physics physics) {
+void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear) {
   using namespace described;
   constexpr unsigned set = planetary_drivetrain;
   members(visit, m,
-          field(m.addendum, "gearset.addendum_of." + gear, physics,
+          field(m.addendum, "gearset.addendum_of." + gear,
                 "addendum of the " + gear + ", in modules; gearset.addendum if absent",
                 {.models = set, .range = {0.5, 1.5}}),
-          field(m.clearance, "gearset.clearance_of." + gear, physics,
+          field(m.clearance, "gearset.clearance_of." + gear,
                 "bottom clearance of the " + gear +
                     ", root depth minus addendum, in modules; gearset.clearance if absent",
                 {.models = set, .range = {0.0, 0.6}}));
@@ -82,16 +80,15 @@ struct Web {
 };
 
 template <class Visitor>
-void describe_web(Visitor& visit, Web& m, const std::string& block, described::Physics physics,
-                  unsigned models) {
+void describe_web(Visitor& visit, Web& m, const std::string& block, unsigned models) {
   using namespace described;
   members(
       visit, m,
       field(
-          m.thickness, block + "web.thickness", physics,
+          m.thickness, block + "web.thickness",
           "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
           {.models = models, .range = {0.2, 1.2}}),
-      field(m.rim, block + "web.rim", physics, "thickness of the rim under the roots, in modules",
+      field(m.rim, block + "web.rim", "thickness of the rim under the roots, in modules",
             {.models = models,
              .range = {1.0, 50.0},
              .reason = "corresponds to the web factor of 0.862 that [Reboucas2021] has for discs of a "
@@ -100,9 +97,9 @@ void describe_web(Visitor& visit, Web& m, const std::string& block, described::P
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.
-inline described::Row<double> helix_row(double& member, const std::string& block, described::Physics physics,
-                                        unsigned models, std::string_view first) {
-  return described::field(member, block + "helix_angle", physics,
+inline described::Row<double> helix_row(double& member, const std::string& block, unsigned models,
+                                        std::string_view first) {
+  return described::field(member, block + "helix_angle",
                           "helix angle at the reference circle; positive: the teeth of the " +
                               std::string(first) + " are right-handed",
                           {.models = models,
@@ -130,22 +127,21 @@ void describe(Visitor& visit, SteppedPlanet& m) {
   const Where beside{"gearset.stepped_planet.teeth"};
   members(
       visit, m,
-      field(m.teeth, "gearset.stepped_planet.teeth", Physics::planet,
+      field(m.teeth, "gearset.stepped_planet.teeth",
             "teeth of a second gear on each planet, which meshes with the ring; gearset.teeth.planet then "
             "meshes "
             "with the sun alone; one gear on each planet if absent",
             {.models = set, .range = {5, 2000}}),
-      field(m.module, "gearset.stepped_planet.module", Physics::planet,
-            "module of the ring mesh; gearset.module if absent",
+      field(m.module, "gearset.stepped_planet.module", "module of the ring mesh; gearset.module if absent",
             {.models = set, .dimension = dimension::length, .range = positive(100.0), .where = beside}),
-      field(m.shift, "gearset.stepped_planet.profile_shift", Physics::planet,
+      field(m.shift, "gearset.stepped_planet.profile_shift",
             "profile shift of the second gear, in modules; with the ring's it makes the centre distance; 0 "
             "if absent",
             {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.face_width, "gearset.stepped_planet.face_width", Physics::planet,
+      field(m.face_width, "gearset.stepped_planet.face_width",
             "width of the teeth of the second gear and the ring; gearset.face_width if absent",
             {.models = set, .dimension = dimension::length, .range = positive(1e4), .where = beside}),
-      field(m.offset, "gearset.stepped_planet.offset", Physics::planet,
+      field(m.offset, "gearset.stepped_planet.offset",
             "axial distance of the middle of the second gear's face from that of the first; positive towards "
             "positive places of bearings",
             {.models = set, .dimension = dimension::length, .range = {-1e4, 1e4}, .where = beside}));
@@ -183,21 +179,21 @@ void describe(Visitor& visit, PlanetarySet& m) {
   using namespace described;
   constexpr unsigned set = planetary_drivetrain;
   const auto count = [](int& member, std::string path, std::string meaning, Range range) {
-    return field(member, std::move(path), Physics::planet, std::move(meaning),
+    return field(member, std::move(path), std::move(meaning),
                  {.models = set, .required_by = set, .range = range});
   };
   const auto length = [](double& member, std::string path, std::string meaning, double most) {
     return field(
-        member, std::move(path), Physics::planet, std::move(meaning),
+        member, std::move(path), std::move(meaning),
         {.models = set, .required_by = set, .dimension = dimension::length, .range = positive(most)});
   };
   const Details shift{.models = set, .required_by = set, .range = {-2.0, 2.0}};
   members(
       visit, m,
-      field(m.fixed_member, "gearset.fixed", Physics::planet, "member held by the housing",
+      field(m.fixed_member, "gearset.fixed", "member held by the housing",
             {.models = set, .reason = "the most common reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
-      field(m.planet_angles, "gearset.planet_angles", Physics::positions,
+      field(m.planet_angles, "gearset.planet_angles",
             "angular positions of the planets, anticlockwise from the first one at 0 deg. Whole steps of 360 "
             "deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps if absent",
             {.models = set, .dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
@@ -205,23 +201,21 @@ void describe(Visitor& visit, PlanetarySet& m) {
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
       count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
       length(m.module, "gearset.module", "normal module", 100.0),
-      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Physics::planet, set); }),
-      field(m.sun_shift, "gearset.profile_shift.sun", Physics::planet, "profile shift of the sun, in modules",
-            shift),
-      field(m.ring_shift, "gearset.profile_shift.ring", Physics::planet,
+      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", set); }),
+      field(m.sun_shift, "gearset.profile_shift.sun", "profile shift of the sun, in modules", shift),
+      field(m.ring_shift, "gearset.profile_shift.ring",
             "profile shift of the ring, in modules, positive outward", shift),
       length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
-      apart(m.density), helix_row(m.helix_angle, "gearset.", Physics::planet, set, "sun"),
+      apart(m.density), helix_row(m.helix_angle, "gearset.", set, "sun"),
       field(
-          m.sun_thrust, "gearset.sun_thrust", Physics::thrust,
+          m.sun_thrust, "gearset.sun_thrust",
           "support of the sun's axial bearing: the housing, or the carrier, whose own bearing transmits the "
           "thrust",
           {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
-      part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Physics::central_teeth); }),
-      part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Physics::planet); }),
-      part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Physics::central_teeth); }),
-      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Physics::central_teeth, set); }),
-      part(m.flanks), part(m.stepped));
+      part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun"); }),
+      part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet"); }),
+      part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring"); }),
+      part(m.web, [&] { describe_web(visit, m.web, "gearset.", set); }), part(m.flanks), part(m.stepped));
 }
 
 /// Teeth of two external gears on shafts of their own: of the gear nearer to the motor, then of its mate.
@@ -238,18 +232,17 @@ struct ParallelStages {
 template <class Visitor>
 void describe(Visitor& visit, ParallelStages& m) {
   using namespace described;
-  const auto stages = [](std::vector<StageTeeth>& member, std::string path, Physics physics,
-                         std::string meaning) {
-    return field(member, std::move(path), physics, std::move(meaning),
+  const auto stages = [](std::vector<StageTeeth>& member, std::string path, std::string meaning) {
+    return field(member, std::move(path), std::move(meaning),
                  {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
   };
   members(
       visit, m,
-      stages(m.front, "parallel_stage.front", Physics::planet,
+      stages(m.front, "parallel_stage.front",
              "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate; of "
              "several stages a list of such pairs in the order from the motor"),
       stages(
-          m.behind, "parallel_stage.behind", Physics::output,
+          m.behind, "parallel_stage.behind",
           "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate; "
           "of several stages a list of such pairs in the order to the load"));
 }
@@ -296,19 +289,19 @@ void describe(Visitor& visit, Drive& m) {
   constexpr unsigned set = planetary_drivetrain;
   members(
       visit, m,
-      field(m.member, "input.member", Physics::planet, "member by which the power enters",
+      field(m.member, "input.member", "member by which the power enters",
             {.models = set, .reason = "the most common reduction gear"}),
-      field(m.power, "input.power", Physics::carrier, "input power",
+      field(m.power, "input.power", "input power",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
-      field(m.application_factor, "input.application_factor", Physics::carrier,
+      field(m.application_factor, "input.application_factor",
             "K_A of ISO 6336-1: teeth and bearings carry the loads of this multiple of the power; with a "
             "spectrum 1",
             {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
-      field(m.speed, "input.speed", Physics::planet,
+      field(m.speed, "input.speed",
             "speed of the driven member relative to the housing; before parallel stages in front of it that "
             "of the motor; of another member where input.speed_of names it",
             {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
-      field(m.speed_of, "input.speed_of", Physics::planet,
+      field(m.speed_of, "input.speed_of",
             "member whose speed is input.speed, also in sweeps, torque curves and spectra. motor, load: the "
             "shafts by which power enters and leaves; planet: relative to its pin",
             {.models = set, .reason = "power, torque and speed are those of one shaft"}),

@@ -40,17 +40,17 @@ void describe(Visitor& visit, SecondPlanet& m) {
   const Where beside{"gearset.second_planet.teeth"};
   members(
       visit, m,
-      field(m.teeth, "gearset.second_planet.teeth", Physics::planet,
+      field(m.teeth, "gearset.second_planet.teeth",
             "teeth of a second planet between each planet and the ring: gearset.teeth.planet meshes with the "
             "sun and with it, and gearset.planets are pairs; single planets if absent",
             {.models = set, .range = {5, 2000}}),
-      field(m.first_shift, "gearset.second_planet.first_profile_shift", Physics::planet,
+      field(m.first_shift, "gearset.second_planet.first_profile_shift",
             "profile shift of the first planet of a pair, in modules; 0 if absent",
             {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.shift, "gearset.second_planet.profile_shift", Physics::planet,
+      field(m.shift, "gearset.second_planet.profile_shift",
             "profile shift of the second planet of a pair, in modules; 0 if absent",
             {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.side, "gearset.second_planet.side", Physics::planet,
+      field(m.side, "gearset.second_planet.side",
             "position of the second planet of a pair: ahead of the first or behind it in the sense of the "
             "carrier's rotation; ahead if absent",
             {.models = set, .where = beside}));

@@ -104,41 +104,6 @@ inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect | 
 /// In `required_by`: a planetary set described by masses and stiffnesses instead of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
 
-/// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
-/// take a parameter that it ought to, is known where analyses are (app/case/field_use).
-enum class Physics {
-  everywhere,     // gears and bearings alike
-  planet,         // teeth and all that a planet is made of
-  gear_bodies,    // masses and springs of the gears
-  thrust,         // axial forces of helical gears
-  central_teeth,  // teeth and bodies of sun and ring, without effect on planets at rest
-  output,         // what lies behind the sets
-  gear_motion,    // gears in motion
-  balance,        // what rollers carry, under a static load too
-  carrier,        // the same, but only of a bearing that a carrier takes round
-  walls,          // the carrier's, which hold the pins: gears and rollers in motion
-  pin,            // what holds the bearing: its springs, and rollers in motion
-  load_sharing,   // unlike loads of the planets
-  positions,  // of the planets on the carrier, by which their loads differ and their meshes follow another
-  at_rest,    // bearings at rest, and those in motion that start from them
-  motion,     // rollers and cage in motion
-  euler,      // the carrier's speed that changes
-  life,       // effect of the rollers' loads on life
-  run,        // means over time
-  run_up,     // speeds that grow
-  single_bearing,  // a single bearing under a load of its own
-  defect,          // a bearing with scratches in motion
-  exchange,        // windows of a co-simulation
-  carrier_body     // the carrier in three dimensions, held by its own bearings
-};
-
-/// How an FMU exposes a member.
-enum class InFmu {
-  resource,   // travels with the model, unseen
-  parameter,  // settable before the run
-  constant    // shown; fixes the number of variables
-};
-
 /// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
 /// value, where it is given and not zero. Several paths, with | between: one must meet it.
 struct Where {
@@ -146,7 +111,7 @@ struct Where {
   std::string_view value{};
 };
 
-/// Optional data of a row, besides the parameter's name, physics and meaning. Texts are literals.
+/// Optional data of a row, besides the parameter's name and meaning. Texts are literals.
 struct Details {
   unsigned models = no_model;       // that have it in a case
   unsigned required_by = no_model;  // that cannot do without it
@@ -156,7 +121,6 @@ struct Details {
   std::string_view written{};  // unit in which the default is written; none: the customary one
   Where where{};
   bool default_without_bearing = false;  // the default counts only where a set has no bearing
-  InFmu fmu = InFmu::resource;
   /// Setting of the numerical method, not of the machine: no printed digit depends on it, or its error is
   /// printed with the result (tests/interface/numerical_settings.py).
   bool numerical = false;
@@ -165,7 +129,6 @@ struct Details {
 /// All that is known of a member besides its type and initial value.
 struct Facts {
   std::string path;
-  Physics physics = Physics::everywhere;
   std::string meaning{};
   Details details{};
 };
@@ -223,21 +186,20 @@ struct RowsOfOne {
 
 /// A parameter of case files.
 template <class Member>
-Row<Member> field(Member& member, std::string path, Physics physics, std::string meaning,
-                  const Details& details) {
-  return {member, {std::move(path), physics, std::move(meaning), details}};
+Row<Member> field(Member& member, std::string path, std::string meaning, const Details& details) {
+  return {member, {std::move(path), std::move(meaning), details}};
 }
 /// A member that no case states, but that travels with an FMU's model under this name.
 template <class Member>
 Row<Member> internal(Member& member, std::string path, std::string meaning = {},
                      const Details& details = {}) {
-  return {member, {std::move(path), Physics::everywhere, std::move(meaning), details}};
+  return {member, {std::move(path), std::move(meaning), details}};
 }
 /// An input of a machine, by its key in the block of the structure. Without a reason for its default it is
 /// required, unless the member may be absent.
 template <class Member>
 Row<Member> input(Member& member, std::string key, std::string meaning, const Details& details = {}) {
-  return {member, {std::move(key), Physics::everywhere, std::move(meaning), details}};
+  return {member, {std::move(key), std::move(meaning), details}};
 }
 /// A structure with rows of its own.
 template <class Part>
@@ -254,7 +216,7 @@ BlockRow<Part> block(Part& member, std::string key) {
 template <class... Choices>
 ChoiceRow<std::variant<Choices...>> choice(std::variant<Choices...>& member, std::string key,
                                            std::string meaning, const Details& details = {}) {
-  return {member, {std::move(key), Physics::everywhere, std::move(meaning), details}};
+  return {member, {std::move(key), std::move(meaning), details}};
 }
 /// One of several structures: the one whose inputs the case states.
 template <class... Choices>

@@ -16,19 +16,6 @@ bool takes_part_in_consistency(std::string_view path);
 /// out.
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
-/// Parts of it. Do race waves, roller deviations, tilts and types of bearings fit each other and the planets?
-void check_refinements(CheckedCase& in);
-/// The values of one bearing under a static load; nothing for cases of other models.
-void check_static_bearing(CheckedCase& in);
-/// Do the balls, which are stated, fit around the pitch circle?
-void check_ball_circle(CheckedCase& in);
-/// The face of the planet; of a stepped one its whole length. [m]
-double planet_length(const ResolvedCase& in);
-/// Two ways to state the same thing exclude each other.
-void check_either(CheckedCase& in, const char* one, const char* other);
-/// Whether level and manner of lubrication fit, in cases of any model that has them.
-void check_cleanliness(CheckedCase& in);
-
 /// Appends a mistake for each value of an axis that contradicts the case. Each is checked once, the other
 /// axes being at the case's own value where they hold it, else at their first: the sum of the axes' lengths,
 /// and points of the sweep only. Axes that `check_consistency` does not check are left out. Of many mistakes

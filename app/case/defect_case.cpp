@@ -5,10 +5,8 @@
 
 #include <algorithm>
 
-#include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/machine_of.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/mistake.hpp"
 #include "app/errors.hpp"
 #include "bearing/defect/scratch.hpp"
@@ -47,6 +45,9 @@ void check_location(CheckedCase& in, const std::string& prefix) {
 }
 
 void check_planet_defect(CheckedCase& in, const std::string& prefix) {
+  if (in.has("defect.race") && in.has("gearset.second_planet.teeth"))
+    in.add_error_at("gearset.second_planet.teeth", "planets in pairs together with defect",
+                    "a case without it is required");
   if (!in.has("defect.race"))
     in.mistakes.push_back(
         {{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
@@ -75,7 +76,7 @@ void check_defect_of_sets(CheckedCase& in) {
   if (std::ranges::find(names, set) == names.end()) return in.add_error_at(path, quote(set), required);
   CheckedCase of_set(in.of_set(set), in.mistakes);
   check_planet_defect(of_set, set_prefix(set));
-  if (in.mistakes.empty() && !held_member_of(in, set))
+  if (in.mistakes.empty() && !held_member_of(stated_drivetrain(in, Missing::left_out), set))
     in.add_error_at(
         path, quote(set) + ", all of whose members rotate",
         "a set with a member on a shaft with 'ground' is required: a case does not state how stiffly "
@@ -84,14 +85,6 @@ void check_defect_of_sets(CheckedCase& in) {
 
 bool is_planet_defect(const ResolvedCase& in) {
   return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing;
-}
-
-std::optional<gearset::Member> held_member_of(const ResolvedCase& in, const std::string& set) {
-  const gearset::Arrangement arrangement = arrangement_of(in);
-  for (const gearset::Shaft& shaft : arrangement.shafts)
-    for (const gearset::SetMember& one : shaft.members)
-      if (shaft.ground && arrangement.sets[one.set].name == set) return one.member;
-  return std::nullopt;
 }
 
 void check_defect(CheckedCase& in) {

@@ -18,6 +18,12 @@
 
 namespace orbearing::app {
 
+/// Whether inputs of a cage's motion may be missing: rollers without a cage, or balls of planets, which are
+/// at rest and whose cage has but a mass.
+inline bool goes_without_cage(const ResolvedCase& in) {
+  return is_full_complement(in) || bearing_type_of(in) == bearing::PlanetBearingType::deep_groove_ball;
+}
+
 /// A visitor of rows: gives each member the value of its field. One without a value keeps what it has.
 class DescribedCase {
  public:
@@ -40,12 +46,8 @@ class DescribedCase {
  private:
   using Facts = described::Facts;
 
-  // At rest alone, whose cage has but a mass.
-  bool is_ball_of_planet() const {
-    return bearing_type_of(in_) == bearing::PlanetBearingType::deep_groove_ball;
-  }
   bool is_of_missing_cage(std::string_view path) const {
-    return path.starts_with("bearing.cage.") && (is_full_complement(in_) || is_ball_of_planet());
+    return path.starts_with("bearing.cage.") && goes_without_cage(in_);
   }
 
   void read(bool& member, const Facts& facts) { member = in_.flag(facts.path); }

@@ -7,9 +7,7 @@
 
 namespace orbearing::app {
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 Field field_of(const described::Facts& facts) {
   const described::Details& details = facts.details;

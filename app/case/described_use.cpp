@@ -1,21 +1,73 @@
-// Uses of the fields whose rows are beside their members: use_of() of field_use.hpp. Unlike the other pairs
-// of this folder it has no header of its own, since its conditions on a case are declared above the fields.
+// Uses of the fields whose rows are beside their members: use_of() of field_use.hpp. Members are named here,
+// and their keys follow from their rows. Unlike the other pairs of this folder it has no header of its own,
+// since its conditions on a case are declared above the fields.
 #include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <map>
 #include <utility>
 
+#include "app/case/case_shape.hpp"
 #include "app/case/field_use.hpp"
 #include "app/case/printable.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
+#include "bearing/defect/scratch.hpp"
+#include "coupling/analysis/stated_drivetrain.hpp"
+#include "coupling/analysis/vibration_record.hpp"
+#include "coupling/study/planet_scratch.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
+/// All members of a drivetrain that a case states by a row beside them.
+struct DrivetrainRows {
+  analysis::StatedSet set;
+  gearset::Drive drive;
+  bearing::defect::Scratch scratch;
+  study::ScratchedPosition position;
+  study::PlanetSampling sampling;
+  analysis::EnvelopeBand band;
+};
+template <class Visitor>
+void describe(Visitor& visit, DrivetrainRows& m) {
+  using namespace described;
+  members(visit, m, part(m.set), part(m.drive), part(m.scratch), part(m.position), part(m.sampling),
+          part(m.band));
+}
+
+/// The physics by which a member changes a result.
+enum class Physics {
+  everywhere,     // gears and bearings alike
+  planet,         // teeth and all that a planet is made of
+  gear_bodies,    // masses and springs of the gears
+  thrust,         // axial forces of helical gears
+  central_teeth,  // teeth and bodies of sun and ring, without effect on planets at rest
+  output,         // what lies behind the sets
+  gear_motion,    // gears in motion
+  balance,        // what rollers carry, under a static load too
+  carrier,        // the same, but only of a bearing that a carrier takes round
+  walls,          // the carrier's, which hold the pins: gears and rollers in motion
+  pin,            // what holds the bearing: its springs, and rollers in motion
+  load_sharing,   // unlike loads of the planets
+  positions,     // of the planets on the carrier, by which their loads differ and their meshes follow another
+  at_rest,       // bearings at rest, and those in motion that start from them
+  motion,        // rollers and cage in motion
+  euler,         // the carrier's speed that changes
+  life,          // effect of the rollers' loads on life
+  run,           // means over time
+  run_up,        // speeds that grow
+  defect,        // a bearing with scratches in motion
+  exchange,      // windows of a co-simulation
+  carrier_body,  // the carrier in three dimensions, held by its own bearings
+  other_machines
+};
+
 // Analyses that hold the physics. What belongs to it alone has no effect on others.
-unsigned holding(described::Physics physics) {
-  using enum described::Physics;
-  static constexpr std::pair<described::Physics, unsigned> holders[] = {
+unsigned holding(Physics physics) {
+  using enum Physics;
+  static constexpr std::pair<Physics, unsigned> holders[] = {
       {everywhere, use::all},
       {planet, use::of_a_drivetrain},
       {thrust, use::mesh},
@@ -36,85 +88,46 @@ unsigned holding(described::Physics physics) {
       {life, use::lives | use::fmu_bearing},
       {run, use::in_time},
       {run_up, use::dynamic | use::dynamic_of_sets},
-      {single_bearing, 0},  // of machines whose cases are types
       {defect, use::planet_defect},
-      {exchange, use::co_simulated}};
-  return std::ranges::find(holders, physics, &std::pair<described::Physics, unsigned>::first)->second;
+      {exchange, use::co_simulated},
+      {other_machines, 0}};
+  return std::ranges::find(holders, physics, &std::pair<Physics, unsigned>::first)->second;
 }
 
 // Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean
 // forces, and crown varies a planet of the mean load.
-unsigned leaving_out(described::Physics physics) {
-  using enum described::Physics;
+unsigned leaving_out(Physics physics) {
+  using enum Physics;
   if (physics == gear_bodies || physics == gear_motion || physics == central_teeth)
     return use::dynamic_of_sets;
   // Only the runs for scratched bearings model scratches; the other analyses that move bearings leave them
   // out.
-  if (physics == described::Physics::defect)
+  if (physics == Physics::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
   return physics == load_sharing || physics == positions ? use::crown | use::planet_stiffness : 0u;
 }
 
-// Differences of single parameters from their physics.
-struct Exception {
-  std::initializer_list<std::string_view> paths;
-  unsigned refused_by = 0;       // analyses that ought to take them and cannot
-  unsigned not_modelled_by = 0;  // analyses that vary them themselves, or do not need them
-  unsigned unused_by = 0;        // analyses that ought to include them and leave them out
-};
+// Members of Use that hold the possible uses of a field by an analysis.
+constexpr unsigned Use::*statuses[]{&Use::by, &Use::not_modelled_by, &Use::refused_by};
+
+void put(Use& use, use::Analysis analysis, unsigned Use::*status) {
+  for (unsigned Use::*other : statuses) use.*other &= ~unsigned{analysis};
+  use.*status |= analysis;
+}
+
+// `analysis` does with a field what `leader` does, its ways apart.
+void follow(Use& use, use::Analysis analysis, use::Analysis leader) {
+  for (unsigned Use::*status : statuses) {
+    use.*status &= ~unsigned{analysis};
+    if ((use.*status & leader) != 0) use.*status |= analysis;
+  }
+}
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
 constexpr unsigned no_tilt =
     (use::rollers_in_motion & ~(use::dynamic | use::dynamic_of_sets)) | use::planet_stiffness;
 constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
 constexpr unsigned but_at_rest = use::of_a_drivetrain & ~unsigned{use::quasi_static | use::mesh};
-const Exception exceptions[] = {
-    {{"input.acceleration"}, use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
-    {{"gearset.planet_rim"}, use::gears | use::fmu_gearset | use::fmu_bearing},
-    // Coupled gears start on it; --fidelity dynamic fits a law of its own.
-    {{"gearset.dynamics.planet.bearing_stiffness"}, 0, 0, use::dynamic},
-    {{"gearset.dynamics.damping_ratio.bearing"}, 0, use::fmu_gearset, use::one_set_in_time},
-    {{"simulation.integrator"}, other_rungs | use::fmu_bearing},
-    {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean assumes identical rollers
-    {{"bearing.misalignment.planet_tilt"}, 0, use::crown},
-    // A computed tilt is that of bearings at rest; a single bearing in motion may use it. It has no effect on
-    // gears.
-    {{"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences", "support.pin_ends",
-      "support.pin_span", "support.pin_diameter", "support.carrier_twist_stiffness",
-      "support.pin_inclination.radial", "support.pin_inclination.tangential"},
-     no_tilt,
-     use::bearings_as_springs},
-    // Stops hold planets and sun under a load; their stiffness affects only small vibration.
-    {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
-    // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
-    {{"inertia.gravity"},
-     use::fmu_bearing | use::fmu_gearset,
-     0,
-     use::quasi_static | use::crown | use::gears},
-    {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
-    {{"film.inlet_heating"}, use::fmu_bearing},
-    // Rows of other bearings than cylindrical ones are modelled only quasi-static.
-    {{"bearing.rows.contact_angle", "bearing.rows.arrangement", "bearing.rows.distance",
-      "bearing.rows.preload", "bearing.rows.approach", "bearing.balls", "bearing.ball_diameter"},
-     but_at_rest},
-    {{"simulation.load_error_share"}, 0, 0, use::fmu_bearing},  // whose loads are not known before
-    // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
-    {{"gearset.stepped_planet.teeth", "gearset.stepped_planet.module", "gearset.stepped_planet.profile_shift",
-      "gearset.stepped_planet.face_width", "gearset.stepped_planet.offset", "gearset.second_planet.teeth",
-      "gearset.second_planet.first_profile_shift", "gearset.second_planet.profile_shift",
-      "gearset.second_planet.side"},
-     no_second_gear},
-    {{"numerics.cage_positions"}, 0, use::dynamic_of_sets}};  // but for what is found at rest before
-
-// Use by the physics of the field, with the exceptions of single parameters.
-Use use_by_physics(const described::Facts& facts) {
-  Exception but{};
-  for (const Exception& exception : exceptions)
-    if (is_one_of(facts.path, exception.paths)) but = exception;
-  const unsigned without = leaving_out(facts.physics) | but.unused_by;
-  const unsigned by = holding(facts.physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
-  return {by, (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by, but.refused_by};
-}
 
 Use also_used(Use use, unsigned analyses) {
   use.by |= analyses;
@@ -122,261 +135,541 @@ Use also_used(Use use, unsigned analyses) {
   return use;
 }
 
-const Condition& where_filmed() {
-  static const Condition filmed = where("film.enabled", {"true"});
-  return filmed;
+/// Rules of the uses, by the members that they are about.
+class UseRules {
+ public:
+  UseRules();
+
+  // Words of conditions, and members that they are about (field_use.hpp).
+  Condition unlike_loads() const {
+    return where_given(
+        {key_(gears_.pin_error_radial), key_(gears_.pin_error_tangential), key_(teeth_.planet_angles)});
+  }
+  bool link_rows(std::string_view path) const { return is_among(pin_links_, path); }
+  Condition pin_links(std::string_view path) const {
+    const std::string& ends = key_(planets_.seats.ends);
+    return path == pin_diameter_ ? where(ends, {"flexpin"}) : where(ends, {"one", "flexpin"});
+  }
+  Condition tilts_are_computed() const { return where(tilt_, {"computed"}); }
+  std::vector<Condition> body_has_pin(std::string_view path) const {
+    if (path == pin_diameter_) return {pin_links(path), tilts_are_computed()};
+    return {where_true(pin_links_rows, "where " + key_(planets_.seats.ends) + " is one or flexpin, or " +
+                                           key_(planets_.bearings_per_planet) + " is above 2"),
+            tilts_are_computed()};
+  }
+  Condition bearings_are_springs() const {
+    return where_true(bearings_make_springs,
+                      "where " + spring_ + " is not given, or together with an elastic rim");
+  }
+
+  Use with_planet_defect(const Use& use, std::string_view path) const;
+  Use with_carrier_body(Use use, std::string_view path) const;
+  Use with_carrier_beside(const Use& use, std::string_view path) const;
+
+  bool make_meshes(std::string_view path) const { return is_among(meshes_, path); }
+  Use use_of(const std::string& path, const described::Where& row) const {
+    Use use = with_meshes(with_pins(by_physics(path), path), path);
+    use = with_oil(with_stiffness(use, path), path);
+    use = with_carrier(with_springs(with_held_members(use, path), path), path);
+    use = with_other_ways(with_own_condition(use, path, row), path);
+    return with_moving_pin(with_resonances(beside_rollers(use, path), path), path);
+  }
+
+ private:
+  /// Keys of members, with all that is within them.
+  using Keys = std::vector<std::string>;
+  template <class... Members>
+  Keys of(const Members&... members) const {
+    return key_.of(members...);
+  }
+  static bool is_among(const Keys& keys, std::string_view path) {
+    return std::ranges::find(keys, path) != keys.end();
+  }
+
+  /// Differences of single members from their physics.
+  struct Exception {
+    Keys keys;
+    unsigned refused_by = 0;       // analyses that ought to take them and cannot
+    unsigned not_modelled_by = 0;  // analyses that vary them themselves, or do not need them
+    unsigned unused_by = 0;        // analyses that ought to include them and leave them out
+  };
+
+  void find_physics();
+  void find_exceptions();
+  Physics physics_of(const std::string& path) const {
+    const auto found = physics_.find(path);
+    return found == physics_.end() ? Physics::other_machines : found->second;
+  }
+
+  Use by_physics(const std::string& path) const;
+  Use with_pins(const Use& use, std::string_view path) const;
+  Use with_meshes(Use use, std::string_view path) const;
+  Use with_stiffness(const Use& use, std::string_view path) const;
+  Use with_oil(const Use& use, std::string_view path) const;
+  Use with_springs(const Use& use, const std::string& path) const;
+  Use with_rotating_carrier(const Use& use) const;
+  Use with_carrier(const Use& use, std::string_view path) const;
+  Use with_held_members(const Use& use, std::string_view path) const;
+  Use with_own_condition(const Use& use, const std::string& path, const described::Where& row) const;
+  Use with_friction_and_heat(const Use& use, std::string_view path) const;
+  Use with_other_ways(Use use, std::string_view path) const;
+  Use beside_rollers(const Use& use, std::string_view path) const;
+  Use with_resonances(const Use& use, std::string_view path) const;
+  Use with_moving_pin(const Use& use, std::string_view path) const;
+
+  Condition filmed() const { return where(film_, {"true"}); }
+  Condition rim_bends() const { return where(rim_, {"elastic"}); }
+
+  const DrivetrainRows rows_;
+  const mechanics::MemberKeys<DrivetrainRows> key_{rows_};
+  const analysis::StatedSet& set_ = rows_.set;
+  const study::PlanetaryDrivetrain& planets_ = set_.planets;
+  const gearset::PlanetarySet& teeth_ = set_.teeth;
+  const study::GearDynamicsChoice& gears_ = set_.gears.choice;
+  const bearing::Bearing& bearing_ = planets_.bearing;
+  const bearing::motion::RaceContactParameters& race_ = planets_.dynamics.race;
+  const bearing::motion::CageParameters& cage_ = planets_.dynamics.cage;
+  const bearing::InertiaSwitches& inertia_ = planets_.dynamics.inertia;
+  const analysis::LifeInputs& life_ = set_.rating.life;
+  const analysis::BearingOil& oil_ = set_.rating.oil;
+
+  std::map<std::string, Physics, std::less<>> physics_;
+  std::vector<Exception> exceptions_;
+
+  // Members that several rules are about.
+  const std::string film_ = key_(race_.film_in_approach), rim_ = key_(planets_.rim),
+                    tilt_ = key_(planets_.seats.tilt), support_ = key_(planets_.dynamics.support.stiffness),
+                    bore_ = key_(bearing_.inner.seat_diameter), outside_ = key_(bearing_.outer.seat_diameter),
+                    width_ = key_(bearing_.width), pin_diameter_ = key_(planets_.seats.diameter),
+                    speed_ = key_(rows_.drive.speed), power_ = key_(rows_.drive.power),
+                    grade_ = key_(oil_.grade), density_of_oil_ = key_(planets_.dynamics.drag.oil_density),
+                    viscosity_ = key_(planets_.dynamics.lubricant.viscosity),
+                    spring_ = key_(gears_.bearing_stiffness),
+                    acceleration_ = key_(planets_.run_up.acceleration),
+                    modulus_ = key_(set_.gears.material.youngs_modulus),
+                    ratio_ = key_(set_.gears.material.poisson_ratio);
+  const Keys speed_and_stages_ = of(rows_.drive.speed, rows_.drive.speed_of, rows_.drive.parallel.front),
+             load_ = of(rows_.drive.power, rows_.drive.application_factor);
+  /// The stiffness of the meshes, beside what makes the planets themselves.
+  const Keys meshes_ = of(teeth_.sun_heights, teeth_.ring_heights, teeth_.web, teeth_.flanks,
+                          gears_.sun_mesh_stiffness, gears_.ring_mesh_stiffness);
+  /// Compliance under the planets and its inputs, beside the meshes.
+  const Keys compliance_ =
+      of(bearing_.inner.seat_diameter, planets_.cage_positions, planets_.dynamics.support.stiffness,
+         gears_.sun.mass, gears_.sun.support_stiffness, gears_.ring.mass, gears_.ring.support_stiffness,
+         gears_.carrier.mass, gears_.carrier.support_stiffness, gears_.carrier_plate_ratio,
+         gears_.planet.mass, gears_.backlash, gears_.separation, gears_.sun_error, gears_.ring_error);
+  const Keys relief_ = of(teeth_.flanks.relief_length, teeth_.flanks.relief_form);
+  /// The race of the planet, and with it its mass: the clearance of a bearing on its seats, too.
+  const Keys race_of_planet_ =
+      of(bearing_.radial_clearance, planets_.mounting.state, planets_.bearings_per_planet,
+         bearing_.rollers().diameter, bearing_.pitch_diameter, bearing_.width,
+         planets_.mounting.inner_interference, planets_.mounting.outer_interference,
+         planets_.mounting.pin_bore, planets_.mounting.expansion, planets_.mounting.pin_temperature,
+         planets_.mounting.inner_ring_temperature, planets_.mounting.roller_temperature,
+         planets_.mounting.outer_ring_temperature, planets_.mounting.planet_temperature);
+  /// Between the root of a planet's teeth and its bearings.
+  const Keys rim_sizes_ =
+      of(teeth_.rack.addendum, teeth_.rack.clearance, teeth_.planet_heights, bearing_.outer.seat_diameter);
+  const Keys of_planet_ = of(teeth_.face_width, teeth_.rack.root_fillet_radius, bearing_.width);
+  const Keys of_rollers_ = of(planets_.reduction_factor, bearing_.contact_law, race_.film_heating,
+                              race_.viscosity_slope, planets_.dynamics.drag.oil_density);
+  const Keys misalignment_ = of(planets_.misalignment), cage_sizes_ = of(bearing_.cage),
+             motion_of_cage_ = of(planets_.dynamics.cage),
+             frame_ = of(inertia_.coriolis, inertia_.carrier_centrifugal), web_ = of(teeth_.web);
+
+  // Of a scratched planet bearing: inputs of the scratch; and those of lives, and of bearings without a cage,
+  // which it does not model.
+  const Keys scratch_ = of(rows_.scratch, rows_.position, rows_.sampling, rows_.band);
+  const Keys beside_scratch_ =
+      of(race_.film_heating, oil_.kinematic_viscosity, planets_.steady_state.observed_windows,
+         planets_.steady_state.most_windows, planets_.steady_state.load_drift,
+         planets_.steady_state.load_error_share, planets_.steady_state.cage_drift, set_.rating.capacities,
+         planets_.dynamics.neighbours);
+  /// Planets with a computed quasi-static tilt, which the bearings keep in motion.
+  const Keys computed_tilt_ = of(planets_.seats);
+
+  // Of the carrier as a body.
+  const Keys pin_links_ =
+      of(planets_.seats.tilt, planets_.seats.ends, planets_.seats.span, planets_.seats.diameter);
+  const Keys carrier_ = of(set_.carrier);
+  /// Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet,
+  /// pairs.
+  const Keys refused_by_carrier_ =
+      of(planets_.rim, teeth_.fixed_member, planets_.rows, teeth_.stepped, set_.second_planet);
+  /// Rotation and supports of members in their planes, and tilts that it computes itself.
+  const Keys left_out_of_carrier_ =
+      of(gears_.sun.inertia, gears_.ring.inertia, gears_.carrier.inertia, gears_.planet.inertia,
+         gears_.sun.torsional_stiffness, gears_.ring.torsional_stiffness, gears_.carrier.torsional_stiffness,
+         gears_.ring.mass, gears_.ring.support_stiffness, gears_.carrier.support_stiffness, gears_.separation,
+         gears_.sun_error, gears_.ring_error, planets_.seats, planets_.misalignment, life_.method);
+  /// Inputs that a set in its plane does not have; loads, clearance and weight do not change its springs.
+  const Keys beside_plane_ =
+      of(set_.carrier.positions, set_.carrier.radial_stiffness, set_.carrier.housing,
+         set_.carrier.centre_of_mass, planets_.seats.axial_positions, bearing_.rollers().length,
+         gears_.ring.inertia, set_.carrier.sun_tilt_stiffness, set_.carrier.sun_axial_stiffness,
+         set_.carrier.planet_axial_stiffness);
+};
+
+UseRules::UseRules() {
+  find_physics();
+  find_exceptions();
+}
+
+void UseRules::find_physics() {
+  using enum Physics;
+  const auto put = [this](Physics physics, const Keys& keys) {
+    for (const std::string& key : keys) physics_[key] = physics;
+  };
+  const gearset::Drive& drive = rows_.drive;
+  const study::PinSeats& seats = planets_.seats;
+  const bearing::PlanetRows& rows = planets_.rows;
+  const bearing::CylindricalRollers& rollers = bearing_.rollers();
+  const bearing::motion::DynamicsParameters& dynamics = planets_.dynamics;
+  const system::SteadyStateOptions& steady = planets_.steady_state;
+  put(everywhere, of(set_.gears.material, rollers.profile));
+  put(planet, of(drive.member, drive.speed, drive.speed_of, drive.parallel.front,
+                 bearing_.outer.seat_diameter, set_.second_planet, teeth_));
+  put(thrust, of(teeth_.sun_thrust));
+  put(central_teeth, of(teeth_.sun_heights, teeth_.ring_heights, teeth_.web, teeth_.flanks));
+  put(positions, of(teeth_.planet_angles));
+  put(output, of(drive.parallel.behind));
+  put(gear_bodies, of(gears_.sun, gears_.ring, gears_.carrier, gears_.planet, gears_.bearing_stiffness,
+                      gears_.sun_mesh_stiffness, gears_.ring_mesh_stiffness));
+  put(gear_motion,
+      of(gears_.mesh_damping_ratio, gears_.bearing_damping_ratio, gears_.support_damping_ratio,
+         gears_.backlash, gears_.separation, gears_.sun_error, gears_.ring_error, planets_.mesh_variation));
+  put(load_sharing, of(gears_.pin_error_radial, gears_.pin_error_tangential));
+  put(walls, of(gears_.carrier_plate_ratio));
+  put(carrier_body, of(set_.carrier));
+  put(balance,
+      of(rows.balls, rows.ball_diameter, planets_.mounting, bearing_.pitch_diameter,
+         bearing_.radial_clearance, rollers.count, rollers.diameter, rollers.length, bearing_.contact_law));
+  put(motion, of(dynamics.race, dynamics.cage, dynamics.neighbours, dynamics.drag, rollers.diameter_deviation,
+                 dynamics.support.damping_ratio, steady.integration.method, steady.allowed_length_error,
+                 steady.load_error_share));
+  put(Physics::carrier,
+      of(drive.power, drive.application_factor, bearing_.cage, planets_.bearings_per_planet, bearing_.width,
+         race_.film_in_approach, planets_.rim, inertia_.coriolis, inertia_.carrier_centrifugal,
+         inertia_.own_orbit, dynamics.lubricant, bearing_.material.density));
+  put(pin, of(bearing_.inner.seat_diameter, dynamics.support.stiffness));
+  put(at_rest, of(seats, rows.contact_angle, rows.arrangement, rows.distance, rows.preload, rows.approach,
+                  planets_.cage_positions));
+  put(euler, of(inertia_.euler));
+  put(life, of(rollers.laminae, planets_.misalignment, planets_.reduction_factor));
+  put(run, of(dynamics.gravity, steady.observed_windows, steady.most_windows, steady.load_drift,
+              steady.cage_drift));
+  put(run_up, of(planets_.run_up));
+  put(Physics::defect, of(rows_.scratch, rows_.position, rows_.sampling));
+  put(exchange, of(planets_.exchange));
+}
+
+void UseRules::find_exceptions() {
+  const study::PinSeats& seats = planets_.seats;
+  const bearing::PlanetRows& rows = planets_.rows;
+  exceptions_ = {
+      {of(planets_.run_up.acceleration), use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
+      {of(planets_.rim), use::gears | use::fmu_gearset | use::fmu_bearing},
+      // Coupled gears start on it; --fidelity dynamic fits a law of its own.
+      {of(gears_.bearing_stiffness), 0, 0, use::dynamic},
+      {of(gears_.bearing_damping_ratio), 0, use::fmu_gearset, use::one_set_in_time},
+      {of(planets_.steady_state.integration.method), other_rungs | use::fmu_bearing},
+      {of(bearing_.rollers().diameter_deviation), use::rollers_at_rest},  // their mean assumes identical ones
+      {of(planets_.misalignment.planet_tilt), 0, use::crown},
+      // A computed tilt is that of bearings at rest; a single bearing in motion may use it. It has no effect
+      // on gears.
+      {of(seats.tilt, seats.axial_positions, seats.clearance_differences, seats.ends, seats.span,
+          seats.diameter, seats.carrier_twist, seats.radial_inclination, seats.tangential_inclination),
+       no_tilt, use::bearings_as_springs},
+      // Stops hold planets and sun under a load; their stiffness affects only small vibration.
+      {of(set_.carrier.sun_axial_stiffness, set_.carrier.planet_axial_stiffness), 0, use::carrier},
+      // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
+      {of(planets_.dynamics.gravity), use::fmu_bearing | use::fmu_gearset, 0,
+       use::quasi_static | use::crown | use::gears},
+      {of(race_.starvation), use::fmu_bearing},  // whose speeds change
+      {of(race_.film_heating), use::fmu_bearing},
+      // Rows of other bearings than cylindrical ones are modelled only quasi-static.
+      {of(rows.contact_angle, rows.arrangement, rows.distance, rows.preload, rows.approach, rows.balls,
+          rows.ball_diameter),
+       but_at_rest},
+      {of(planets_.steady_state.load_error_share), 0, 0,
+       use::fmu_bearing},  // whose loads are not known before
+      // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
+      {of(teeth_.stepped, set_.second_planet), no_second_gear},
+      {of(planets_.cage_positions), 0, use::dynamic_of_sets}};  // but for what is found at rest before
+}
+
+// Use by the physics of the member, with the exceptions of single ones.
+Use UseRules::by_physics(const std::string& path) const {
+  Exception but{};
+  for (const Exception& exception : exceptions_)
+    if (is_among(exception.keys, path)) but = exception;
+  const Physics physics = physics_of(path);
+  const unsigned without = leaving_out(physics) | but.unused_by;
+  const unsigned by = holding(physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
+  return {by, (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by, but.refused_by};
 }
 
 // Uses beyond the physics, and those that depend on other inputs, for each part of a drivetrain in turn.
 
 // A pin that is held at one end makes the support's stiffness where none is stated.
-Use with_pins(const Use& use, std::string_view path) {
-  if (!links_rows(path)) return use;
+Use UseRules::with_pins(const Use& use, std::string_view path) const {
+  if (!link_rows(path)) return use;
   return use.used_too(use::bearings_as_springs,
-                      {where_absent("support.stiffness"), where_pin_links(path), where_tilts_are_computed()});
+                      {where_absent(support_), pin_links(path), tilts_are_computed()});
 }
 
-Use with_meshes(Use use, std::string_view path) {
-  // Compliance under the planets and its inputs: it affects quasi-static results too where planets carry
-  // unequal loads, since it then determines the load sharing.
-  if (makes_meshes(path) ||
-      is_one_of(path,
-                {"bearing.bore", "numerics.cage_positions", "support.stiffness", "gearset.dynamics.sun.mass",
-                 "gearset.dynamics.sun.support_stiffness", "gearset.dynamics.ring.mass",
-                 "gearset.dynamics.ring.support_stiffness", "gearset.dynamics.carrier.mass",
-                 "gearset.dynamics.carrier.support_stiffness", "gearset.dynamics.carrier.plate_ratio",
-                 "gearset.dynamics.planet.mass", "gearset.dynamics.backlash", "gearset.dynamics.separation",
-                 "gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"}))
-    use = use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads());
+Use UseRules::with_meshes(Use use, std::string_view path) const {
+  // It affects quasi-static results too where planets carry unequal loads, since it then determines the load
+  // sharing.
+  if (is_among(meshes_, path) || is_among(compliance_, path))
+    use = use.used_too(use::quasi_static | use::dynamic_of_sets, unlike_loads());
   // Length and form of a relief have an effect where there is one.
-  if (is_one_of(path, {"gearset.tip_relief.length", "gearset.tip_relief.form"}))
+  const gearset::FlankModifications& flanks = teeth_.flanks;
+  if (is_among(relief_, path))
     return use.when(
-        where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
+        where_given({key_(flanks.sun_relief), key_(flanks.planet_relief), key_(flanks.ring_relief)}));
   // Power and speed determine the load of the meshes, under which teeth deflect and helical teeth exert axial
   // forces; a rim bends under them.
-  if (is_one_of(path, {"input.power", "input.application_factor", "input.speed", "input.speed_of",
-                       "parallel_stage.front", "gearset.planet_rim"}))
+  if (is_among(load_, path) || is_among(speed_and_stages_, path) || path == rim_)
     return also_used(use, use::mesh);
   return use;
 }
 
 // Laminae and the tilt of the bore affect lives, and the stiffness too; the model of line contacts has no
 // modulus, their films do.
-Use with_stiffness(const Use& use, std::string_view path) {
-  if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
-  if (path == "support.pin_diameter") return use.when(where("support.pin_ends", {"flexpin"}));
-  if (path == "bearing.laminae") return also_used(use, use::planet_stiffness);
-  if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
-  return use.used_only(use::planet_stiffness, {where_filmed()})
-      .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
+Use UseRules::with_stiffness(const Use& use, std::string_view path) const {
+  if (is_among(misalignment_, path)) return also_used(use, use::planet_stiffness);
+  if (path == pin_diameter_) return use.when(where(key_(planets_.seats.ends), {"flexpin"}));
+  if (path == key_(bearing_.rollers().laminae)) return also_used(use, use::planet_stiffness);
+  if (path != modulus_ && path != ratio_) return use;
+  return use.used_only(use::planet_stiffness, {filmed()}).used_too(use::planet_stiffness, rim_bends());
 }
 
 // Lives include films; elsewhere the oil has an effect where a film takes part in the approach, or where the
 // life by its cleanliness depends on its viscosity.
-Use with_oil(const Use& use, std::string_view path) {
-  std::vector<Condition> viscosity_makes_kappa{where_given({"life.cleanliness", "life.contamination_factor"}),
-                                               where_absent("life.viscosity_ratio"),
-                                               where_absent("lubricant.kinematic_viscosity")};
-  const Condition no_grade = where_absent("lubricant.grade");
+Use UseRules::with_oil(const Use& use, std::string_view path) const {
+  std::vector<Condition> viscosity_makes_kappa{
+      where_given({key_(life_.cleanliness), key_(life_.contamination_factor)}),
+      where_absent(key_(life_.viscosity_ratio)), where_absent(key_(oil_.kinematic_viscosity))};
+  const Condition no_grade = where_absent(grade_);
   constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   // It makes the viscosity of a grade, under films, or kinematic that which is stated.
-  if (path == "lubricant.density") {
-    const Condition grade = where_given({"lubricant.grade"});
+  if (path == density_of_oil_) {
+    const Condition grade = where_given({grade_});
     viscosity_makes_kappa.push_back(no_grade);
     return use.used_too(use::quasi_static, grade)
-        .used_too(with_film_alone, {grade, where_filmed()})
+        .used_too(with_film_alone, {grade, filmed()})
         .used_too(use::quasi_static | use::crown, viscosity_makes_kappa);
   }
-  if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
-  Use oil = use.used_only(with_film_alone, {where_filmed()});
-  if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, viscosity_makes_kappa);
+  if (path != viscosity_ && path != key_(planets_.dynamics.lubricant.pressure_viscosity)) return use;
+  Use oil = use.used_only(with_film_alone, {filmed()});
+  if (path == viscosity_) oil = oil.used_too(use::crown, viscosity_makes_kappa);
   return oil.when(no_grade);
-}
-
-// Whether the field affects the race of the planet, and with it its mass: the clearance of a bearing on its
-// seats, too.
-bool makes_race(std::string_view path) {
-  return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state", "bearing.per_planet",
-                          "bearing.roller_diameter", "bearing.pitch_diameter", "bearing.width"}) ||
-         path.starts_with("bearing.fit.") || path.starts_with("bearing.temperature.");
 }
 
 // Gears are affected by a bearing through its springs, which the case may state; what makes the mass of a
 // planet as well affects them beside these too, and what makes the rim that bends: bearings hold the race in
 // it.
-Use with_springs(const Use& use, const described::Facts& facts) {
-  using enum described::Physics;
-  const std::string_view path = facts.path;
-  if (makes_race(path)) return use.used_too(use::mesh, where("gearset.planet_rim", {"elastic"}));
-  if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
+Use UseRules::with_springs(const Use& use, const std::string& path) const {
+  if (is_among(race_of_planet_, path)) return use.used_too(use::mesh, rim_bends());
+  if (is_among(web_, path))
     return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
                        {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
-  if (path == "material.youngs_modulus")
+  if (path == modulus_)
     return use.limited(use::bearings_as_springs,
                        {where_true(modulus_makes_springs, "where a stiffness is not given")});
-  if (path == "material.poisson_ratio")
+  if (path == ratio_)
     return use.limited(use::bearings_as_springs,
                        {where_true(material_makes_springs, "where a stiffness is not given")});
-  const bool of_speed = is_one_of(path, {"input.speed", "input.speed_of", "parallel_stage.front"});
-  if (of_speed || is_one_of(path, {"input.power", "input.application_factor"}))
+  const bool of_speed = is_among(speed_and_stages_, path);
+  if (of_speed || is_among(load_, path))
     return use.limited(of_speed ? use::modes : use::natural,
                        {where_true(loads_make_springs, "where a stiffness depends on the load")});
-  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
-    return use.limited(use::modes, {where_bearings_make_springs()});
-  const bool of_bearing = facts.physics == balance || facts.physics == carrier || facts.physics == pin ||
-                          facts.physics == at_rest;
-  if (!of_bearing || path == "material.density" || path == "gearset.planet_rim") return use;
-  return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});
+  if (is_among(frame_, path)) return use.limited(use::modes, {bearings_are_springs()});
+  const Physics physics = physics_of(path);
+  const bool of_bearing = physics == Physics::balance || physics == Physics::carrier ||
+                          physics == Physics::pin || physics == Physics::at_rest;
+  if (!of_bearing || path == key_(bearing_.material.density) || path == rim_) return use;
+  return use.limited(use::bearings_as_springs, {bearings_are_springs()});
 }
 
 // Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
-Use with_rotating_carrier(const Use& use) {
+Use UseRules::with_rotating_carrier(const Use& use) const {
   return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
                      {where_true(carrier_rotates, "where the carrier rotates")});
 }
 
 // A carrier that is held pulls on nothing.
-Use with_carrier(const Use& use, std::string_view path) {
-  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"})) return with_rotating_carrier(use);
-  const std::string rotating = "where the carrier rotates and inertia.carrier_centrifugal is true";
-  if (path.starts_with("bearing.cage."))
+Use UseRules::with_carrier(const Use& use, std::string_view path) const {
+  if (is_among(frame_, path)) return with_rotating_carrier(use);
+  const std::string rotating =
+      "where the carrier rotates and " + key_(inertia_.carrier_centrifugal) + " is true";
+  if (is_among(cage_sizes_, path) || is_among(motion_of_cage_, path))
     return use.limited(use::rollers_at_rest | use::bearings_as_springs,
                        {where_true(carrier_pulls, rotating)});
-  const bool of_planet =
-      is_one_of(path, {"gearset.face_width", "gearset.addendum", "gearset.clearance",
-                       "gearset.root_fillet_radius", "gearset.addendum_of.planet",
-                       "gearset.clearance_of.planet", "bearing.outside_diameter", "bearing.width"});
-  if (!of_planet) return use;
-  // Between the root of its teeth and its bearings.
-  const bool of_rim = is_one_of(path, {"gearset.addendum", "gearset.clearance", "gearset.addendum_of.planet",
-                                       "gearset.clearance_of.planet", "bearing.outside_diameter"});
+  const bool of_rim = is_among(rim_sizes_, path);
+  if (!of_rim && !is_among(of_planet_, path)) return use;
   const Use as_mass =
       use.limited(use::rollers_at_rest,
                   {where_true(planet_counts_at_rest,
                               rotating + ", or the planet bends, tilts or is pressed on a seat")})
-          .used_too(use::quasi_static, where_planets_carry_unlike_loads());
+          .used_too(use::quasi_static, unlike_loads());
   return of_rim ? as_mass.used_too(use::quasi_static, std::vector<Condition>{}) : as_mass;
 }
 
 // A member that is held does not move, unless a spring holds it.
-Use with_held_members(const Use& use, std::string_view path) {
-  constexpr std::string_view block = "gearset.dynamics.", mass = ".equivalent_mass";
-  if (!path.starts_with(block) || !path.ends_with(mass)) return use;
-  const std::string member(path.substr(block.size(), path.size() - block.size() - mass.size()));
-  if (member == "planet") return use;
-  std::vector<std::string> others{"sun", "ring", "carrier"};
-  std::erase(others, member);
-  return use.limited(use::natural, {where("gearset.fixed", others), where_absent("gearset.teeth.sun"),
-                                    where_given({std::string(block) + member + ".torsional_stiffness"})});
-}
-
-// Conditions of single parameters. A set without teeth has no loads to share. With several sets none has a
-// driven member of its own, but all share the power.
-Use with_own_condition(const Use& use, const described::Facts& facts) {
-  described::Where only = facts.details.where;
-  if (facts.physics == described::Physics::load_sharing) only = {.path = "input.power"};
-  if (only.path.empty()) return use;
-  return use.when(condition_of(only));
-}
-
-Use with_friction_and_heat(const Use& use, std::string_view path) {
-  // Besides the friction of the races, others build up over the same sliding speed.
-  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
-  if (path == "traction.sliding_scale")
-    return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
-        .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
-        .used_too(moving, where("contact.lubrication", {"mixed"}))
-        .used_too(moving,
-                  {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
-  if (path == "traction.largest_barus_exponent")
-    return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
-  if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
-  if (path == "heat.viscosity_slope")
-    return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
+Use UseRules::with_held_members(const Use& use, std::string_view path) const {
+  using gearset::Member;
+  const std::array<std::pair<Member, const study::GearMemberChoice*>, 3> central{
+      {{Member::sun, &gears_.sun}, {Member::ring, &gears_.ring}, {Member::carrier, &gears_.carrier}}};
+  for (const auto& [member, choice] : central) {
+    if (path != key_(choice->inertia)) continue;
+    std::vector<std::string> others;
+    for (const auto& [other, name] : names_of(member))
+      if (other != member) others.emplace_back(name);
+    return use.limited(use::natural,
+                       {where(key_(teeth_.fixed_member), others), where_absent(key_(teeth_.sun_teeth)),
+                        where_given({key_(choice->torsional_stiffness)})});
+  }
   return use;
 }
 
-// Fields that apply only to rollers in planets: balls have neither a model of line contacts nor a film, so
-// the field has no effect with them.
-Use used_beside_rollers(const Use& use, std::string_view path) {
-  if (!is_one_of(path, {"life.reduction_factor", "contact.law", "film.inlet_heating", "heat.viscosity_slope",
-                        "lubricant.density"}))
-    return use;
+// Conditions of single members. A set without teeth has no loads to share. With several sets none has a
+// driven member of its own, but all share the power.
+Use UseRules::with_own_condition(const Use& use, const std::string& path, const described::Where& row) const {
+  if (physics_of(path) == Physics::load_sharing) return use.when(where_given({power_}));
+  return row.path.empty() ? use : use.when(condition_of(row));
+}
+
+Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) const {
+  // Besides the friction of the races, others build up over the same sliding speed.
+  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
+  if (path == key_(race_.sliding_scale))
+    return use.used_too(moving, where_given({key_(cage_.pocket_friction)}))
+        .used_too(moving, where_given({key_(cage_.guide_diameter)}))
+        .used_too(moving, where(key_(race_.lubrication), {"mixed"}))
+        .used_too(moving, {where(key_(set_.complement), {"full"}),
+                           where_given({key_(planets_.dynamics.neighbours.friction)})});
+  if (path == key_(race_.largest_barus_exponent))
+    return use.when(where(key_(race_.traction), {"limiting-shear", "ree-eyring"}));
+  if (path == key_(race_.film_heating)) return also_used(use, use::quasi_static);
+  if (path == key_(race_.viscosity_slope))
+    return use.used_too(use::quasi_static, where(key_(race_.film_heating), {"gupta"}));
+  return use;
+}
+
+// Members that apply only to rollers in planets: balls have neither a model of line contacts nor a film, so
+// they have no effect with them.
+Use UseRules::beside_rollers(const Use& use, std::string_view path) const {
+  if (!is_among(of_rollers_, path)) return use;
   return use.when(where_true(planets_have_rollers, "where the planet bearings have rollers"));
 }
 
 // Rows in motion name the nearest resonance of the gears, of which bearings are springs.
-Use with_resonances(const Use& use, std::string_view path) {
-  if (path != "gearset.dynamics.planet.bearing_stiffness") return use;
-  return use.used_too(use::dynamic, where_true(resonances_are_named, "where gearset.mesh_variation is true"))
-      .used_too(use::dynamic, where_true(is_one_system, "where bearing.complement is full"));
+Use UseRules::with_resonances(const Use& use, std::string_view path) const {
+  if (path != spring_) return use;
+  return use
+      .used_too(use::dynamic,
+                where_true(resonances_are_named, "where " + key_(planets_.mesh_variation) + " is true"))
+      .used_too(use::dynamic, where_true(is_one_system, "where " + key_(set_.complement) + " is full"));
 }
 
 // A pin that is the inner race moves with it, down to its hole.
-Use with_moving_pin(const Use& use, std::string_view path) {
-  if (path != "bearing.fit.pin_bore") return use;
-  return use.used_too(use::rollers_in_motion,
-                      where_true(pin_is_race, "where bearing.rings is outer or none"));
+Use UseRules::with_moving_pin(const Use& use, std::string_view path) const {
+  if (path != key_(planets_.mounting.pin_bore)) return use;
+  return use.used_too(
+      use::rollers_in_motion,
+      where_true(pin_is_race, "where " + key_(planets_.mounting.rings) + " is outer or none"));
 }
 
-// Fields of different physics, each of which depends on other choices.
-Use with_other_ways(Use use, std::string_view path) {
+// Members of different physics, each of which depends on other choices.
+Use UseRules::with_other_ways(Use use, std::string_view path) const {
   const auto at_steady_speed = [&](const Use& any) {
     return any.limited(use::dynamic | use::dynamic_of_sets,
-                       {where_true(speed_is_steady, "where input.acceleration is 0")});
+                       {where_true(speed_is_steady, "where " + acceleration_ + " is 0")});
   };
   // The diameter of the pin makes its stiffness where none is stated.
-  if (path == "bearing.bore")
-    for (Way& way : use.ways) way.conditions.push_back(where_absent("support.stiffness"));
+  if (path == bore_)
+    for (Way& way : use.ways) way.conditions.push_back(where_absent(support_));
   // The outer ring is a part of the planet's mass, and of its rim.
-  if (path == "bearing.width")
+  if (path == width_)
     use = use.limited(use::rollers_at_rest | use::bearings_as_springs,
-                      {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
+                      {where(key_(planets_.mounting.rings), {"both", "outer"}), rim_bends()});
   use = with_friction_and_heat(use, path);
-  if (path == "traction.starvation") return at_steady_speed(use);
-  if (path == "numerics.cage_positions")
-    return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
-  if (path == "contact.roughness")
-    return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
-  if (path == "bearing.fit.expansion")
+  if (path == key_(race_.starvation)) return at_steady_speed(use);
+  if (path == key_(planets_.cage_positions)) return use.used_too(use::dynamic_of_sets, tilts_are_computed());
+  if (path == key_(race_.roughness))
+    return use.used_too(use::quasi_static | use::in_time,
+                        where(key_(set_.rating.viscosity_ratio_by), {"film"}));
+  if (path == key_(planets_.mounting.expansion))
     return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
-  if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
+  if (path == key_(rows_.scratch.profile))
+    return use.when(where(key_(rows_.scratch.race), {"outer", "inner", "ball", "roller"}));
   // The carrier's speed grows in a run-up, and as the master of an FMU has it.
-  if (path == "inertia.euler")
+  if (path == key_(inertia_.euler))
     return with_rotating_carrier(
-        use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
+        use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({acceleration_})})
             .used_only(use::gears | use::fmu_gearset,
-                       {where_true(gears_run_up,
-                                   "together with gearset.dynamics.run_up.duration and a "
-                                   "run_up.from other than 1")}));
+                       {where_true(gears_run_up, "together with " + key_(gears_.run_up.duration) +
+                                                     " and a run_up.from other than 1")}));
   // A run-up is observed from its begin to its end.
-  if (path == "simulation.observed_revolutions") return at_steady_speed(use);
+  if (path == key_(planets_.steady_state.observed_windows)) return at_steady_speed(use);
   // For a driven sun or ring the power determines the tooth force, whichever member is held.
-  if (path == "gearset.fixed") return use.used_only(use::mesh, {where("input.member", {"carrier"})});
+  if (path == key_(teeth_.fixed_member))
+    return use.used_only(use::mesh, {where(key_(rows_.drive.member), {"carrier"})});
   return use;
 }
 
-}  // namespace
-
-Condition condition_of(const described::Where& where) {
-  return {.paths = parts_of(where.path, '|'),
-          .values = where.value.empty() ? std::vector<std::string>{} : parts_of(where.value, '|')};
+Use UseRules::with_planet_defect(const Use& use, std::string_view path) const {
+  Use more = use;
+  if (is_among(scratch_, path) || path == kScratchedSet) return more;
+  if (is_among(beside_scratch_, path) || begins_with_one_of(path, {"life.", "requirements.", "spectrum"})) {
+    put(more, use::planet_defect, &Use::not_modelled_by);
+    return more;
+  }
+  follow(more, use::planet_defect, is_among(computed_tilt_, path) ? use::dynamic : use::monolithic);
+  const auto is_to_a_life = [](const Condition& condition) {
+    return std::ranges::any_of(condition.paths,
+                               [](const std::string& other) { return other.starts_with("life."); });
+  };
+  for (Way& way : more.ways)
+    if ((way.by & use::monolithic) != 0 && std::ranges::none_of(way.conditions, is_to_a_life))
+      way.by |= use::planet_defect;
+  return more;
 }
 
-Use use_of(const described::Facts& facts) {
-  const std::string_view path = facts.path;
-  Use use = with_meshes(with_pins(use_by_physics(facts), path), path);
-  use = with_oil(with_stiffness(use, path), path);
-  use = with_carrier(with_springs(with_held_members(use, path), facts), path);
-  use = with_other_ways(with_own_condition(use, facts), path);
-  return with_moving_pin(with_resonances(used_beside_rollers(use, path), path), path);
+Use UseRules::with_carrier_body(Use use, std::string_view path) const {
+  constexpr unsigned leaders = use::modes | use::quasi_static;
+  if (is_among(carrier_, path)) return use;
+  if (is_among(refused_by_carrier_, path)) {
+    put(use, use::carrier, &Use::refused_by);
+    return use;
+  }
+  if (is_among(left_out_of_carrier_, path) || path == kMinimumLoadPath ||
+      begins_with_one_of(path, {"requirements.", "spectrum"})) {
+    put(use, use::carrier, &Use::not_modelled_by);
+    if (path == key_(planets_.seats.axial_positions))
+      return use.used_too(use::carrier, std::vector<Condition>{});
+    return link_rows(path) ? use.used_too(use::carrier, body_has_pin(path)) : use;
+  }
+  if ((use.refused_by & use::quasi_static) != 0)
+    put(use, use::carrier, &Use::refused_by);
+  else if ((use.by & leaders) != 0)
+    put(use, use::carrier, &Use::by);
+  else
+    follow(use, use::carrier, use::modes);
+  for (Way& way : use.ways)
+    if ((way.by & leaders) != 0) way.by |= use::carrier;
+  // It moves back flanks whatever the pins do.
+  if (path == key_(gears_.backlash)) put(use, use::carrier, &Use::by);
+  return use;
 }
 
-Use with_carrier_beside(const Use& use, std::string_view path) {
-  const Condition body =
-      where_true(carrier_is_body,
-                 "where gearset.carrier.bearing_positions and bearing_stiffness are given, "
-                 "gearset.fixed is ring and gearset.planet_rim is rigid");
+Use UseRules::with_carrier_beside(const Use& use, std::string_view path) const {
+  const Condition body = where_true(
+      carrier_is_body, "where " + key_(set_.carrier.positions) + " and bearing_stiffness are given, " +
+                           key_(teeth_.fixed_member) + " is ring and " + rim_ + " is rigid");
   const auto with_body = [&](std::vector<Condition> conditions) {
     conditions.push_back(body);
     return conditions;
@@ -387,28 +680,62 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
   for (const Way& way : use.ways)
     if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
       more = more.used_too(use::quasi_static, with_body(way.conditions));
-  // Inputs that a set in its plane does not have; loads, clearance and weight do not change its springs.
-  if (is_one_of(path, {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
-                       "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
-                       "bearing.axial_places", "bearing.roller_length",
-                       "gearset.dynamics.ring.equivalent_mass", "gearset.dynamics.sun.tilt_stiffness",
-                       "gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}))
-    more = more.used_too(use::modes, body);
-  if (links_rows(path)) more = more.used_too(use::modes, with_body(where_body_has_pin(path)));
+  if (is_among(beside_plane_, path)) more = more.used_too(use::modes, body);
+  if (link_rows(path)) more = more.used_too(use::modes, with_body(body_has_pin(path)));
   return more;
 }
 
-std::vector<Condition> where_body_has_pin(std::string_view path) {
-  if (path == "support.pin_diameter") return {where_pin_links(path), where_tilts_are_computed()};
-  return {where_true(pin_links_rows,
-                     "where support.pin_ends is one or flexpin, or bearing.per_planet is above 2"),
-          where_tilts_are_computed()};
+}  // namespace
+
+Condition condition_of(const described::Where& where) {
+  return {.paths = parts_of(where.path, '|'),
+          .values = where.value.empty() ? std::vector<std::string>{} : parts_of(where.value, '|')};
 }
 
+namespace {
+
+const UseRules& use_rules() {
+  static const UseRules rules;
+  return rules;
+}
+
+}  // namespace
+
+bool makes_meshes(std::string_view path) {
+  return use_rules().make_meshes(path);
+}
+
+Use use_of(const described::Facts& facts) {
+  return use_rules().use_of(facts.path, facts.details.where);
+}
+
+bool links_rows(std::string_view path) {
+  return use_rules().link_rows(path);
+}
+Condition where_planets_carry_unlike_loads() {
+  return use_rules().unlike_loads();
+}
+Condition where_pin_links(std::string_view path) {
+  return use_rules().pin_links(path);
+}
+Condition where_tilts_are_computed() {
+  return use_rules().tilts_are_computed();
+}
+std::vector<Condition> where_body_has_pin(std::string_view path) {
+  return use_rules().body_has_pin(path);
+}
 Condition where_bearings_make_springs() {
-  return where_true(
-      bearings_make_springs,
-      "where gearset.dynamics.planet.bearing_stiffness is not given, or together with an elastic rim");
+  return use_rules().bearings_are_springs();
+}
+
+Use with_planet_defect(const Use& use, std::string_view path) {
+  return use_rules().with_planet_defect(use, path);
+}
+Use with_carrier_body(Use use, std::string_view path) {
+  return use_rules().with_carrier_body(std::move(use), path);
+}
+Use with_carrier_beside(const Use& use, std::string_view path) {
+  return use_rules().with_carrier_beside(use, path);
 }
 
 }  // namespace orbearing::app

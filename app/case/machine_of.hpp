@@ -1,6 +1,7 @@
 // The structure of a machine, or of a part of its inputs, from a case.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -43,7 +44,7 @@ class MachineFromCase {
 
   // Members that a case states by several inputs.
   void operator()(bearing::profile::Profile& member, const described::Facts& facts) {
-    if (facts.path == "bearing.profile") member = roller_profile_of(in_);
+    if (facts.path == "bearing.profile" && missing_ == Missing::refused) member = roller_profile_of(in_);
   }
   void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
     if (in_.has(facts.path)) member = is_known_oil(in_) ? graded_oil(in_) : bearing::OilGrade{};
@@ -84,7 +85,8 @@ class MachineFromCase {
  private:
   // Values that always follow from others must be there. A case may have no cage.
   bool is_expected(const std::string& path) const {
-    if (path.starts_with("bearing.cage.") && !has_all(in_, {"bearing.cage.width", "bearing.cage.density"}))
+    if (path.starts_with("bearing.cage.") &&
+        (!has_all(in_, {"bearing.cage.width", "bearing.cage.density"}) || goes_without_cage(in_)))
       return false;
     return missing_ == Missing::refused && follows_always(path) &&
            (find_field(path)->models & in_.model()) != 0;
@@ -121,6 +123,45 @@ class MachineFromCase {
   bool looking_ = false, found_ = false;  // whether the case states an input of an alternative
 };
 
+/// The rows of a part whose members are always the same ones, whatever a case chooses: found once, since
+/// parts are read for each point of a sweep.
+template <class Part>
+class RowsOfPart {
+ public:
+  RowsOfPart() {
+    Part part{};
+    begin_ = bytes_of(part);
+    describe(*this, part);
+  }
+
+  template <class Member>
+  void operator()(Member& member, const described::Facts& facts) {
+    rows_.push_back({facts, bytes_of(member) - begin_, read<Member>});
+  }
+  void read_all(MachineFromCase& visit, Part& part) const {
+    for (const Row& row : rows_) row.read(visit, bytes_of(part) + row.offset, row.facts);
+  }
+
+ private:
+  struct Row {
+    described::Facts facts;
+    std::ptrdiff_t offset;
+    void (*read)(MachineFromCase&, std::byte*, const described::Facts&);
+  };
+
+  template <class T>
+  static std::byte* bytes_of(T& object) {
+    return reinterpret_cast<std::byte*>(&object);
+  }
+  template <class Member>
+  static void read(MachineFromCase& visit, std::byte* at, const described::Facts& facts) {
+    visit(*reinterpret_cast<Member*>(at), facts);
+  }
+
+  const std::byte* begin_ = nullptr;
+  std::vector<Row> rows_;
+};
+
 /// A machine, or what an analysis takes of it, with the values of the case.
 template <class Machine>
 Machine machine_of(const ResolvedCase& in, Missing missing = Missing::refused) {
@@ -128,6 +169,16 @@ Machine machine_of(const ResolvedCase& in, Missing missing = Missing::refused) {
   MachineFromCase visit(in, missing);
   describe(visit, machine);
   return machine;
+}
+
+/// The same of a part without choices among structures, by rows that are found once.
+template <class Part>
+Part part_of(const ResolvedCase& in, Missing missing = Missing::refused) {
+  static const RowsOfPart<Part> rows;
+  Part part{};
+  MachineFromCase visit(in, missing);
+  rows.read_all(visit, part);
+  return part;
 }
 
 }  // namespace orbearing::app

@@ -119,12 +119,6 @@ inline constexpr bool are_several = false;
 template <class... Parts>
 inline constexpr bool are_several<RowsOf<Parts...>> = sizeof...(Parts) > 1;
 
-// A missing value is reported, and no more is said of it.
-bool is_missing(const ResolvedCase& in, const std::string& path) {
-  const Field* field = find_field(path);
-  return field != nullptr && is_required(in, *field) && !in.has(path);
-}
-
 template <class Row>
 void check_parts(CheckedCase& in) {
   Row::Checked::each([&]<class Part>(Part, std::size_t) {
@@ -135,6 +129,11 @@ void check_parts(CheckedCase& in) {
 }
 
 }  // namespace
+
+bool is_missing(const ResolvedCase& in, const std::string& path) {
+  const Field* field = find_field(path);
+  return field != nullptr && is_required(in, *field) && !in.has(path);
+}
 
 void check_machine(CheckedCase& in) {
   check_form(in);

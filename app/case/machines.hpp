@@ -54,6 +54,9 @@ void require_inputs(const ResolvedCase& in) {
         fmt::join(missing, ", "), Row::required_since));
 }
 
+/// Whether the case has no value that it requires: that is reported, and no more is said of it.
+bool is_missing(const ResolvedCase& in, const std::string& path);
+
 /// Mistakes in the inputs of a machine: missing values, or values that do not fit together.
 void check_machine(CheckedCase& in);
 

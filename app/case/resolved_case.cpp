@@ -135,8 +135,9 @@ Location location_for(const ResolvedCase& in, const std::string& path) {
 }  // namespace
 
 void CheckedCase::add_error(const std::string& path, const std::string& text) {
-  auto [found, required] = mechanics::found_and_required(text);
-  add_error_at(path, std::move(found), std::move(required));
+  const auto written = [&](const std::string& key) { return given(key); };
+  const auto [found, required] = mechanics::found_and_required(text);
+  add_error_at(path, mechanics::with_inputs(found, written), mechanics::with_inputs(required, written));
 }
 
 void CheckedCase::add_error_at(const std::string& path, std::string found, std::string required) {

@@ -216,7 +216,7 @@ class CheckedCase : public ResolvedCase {
   /// Adds a mistake at the place of `path`; of a value that the case leaves out, or of a block, at that of
   /// the first value in it, or beside it, or of the model.
   void add_error_at(const std::string& path, std::string found, std::string required);
-  /// The same of a text "found; required".
+  /// The same of a text "found; required", in which inputs are as mechanics::as_written() has them.
   void add_error(const std::string& path, const std::string& text);
 
   std::vector<Mistake>& mistakes;

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <optional>
 
-#include "app/case/catalogue_quantities.hpp"
 #include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_quantities.hpp"
 #include "app/case/field_table.hpp"
 #include "app/checksum.hpp"
 

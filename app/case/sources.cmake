@@ -18,6 +18,7 @@ set(ORBEARING_CASE_SOURCES
   case/consistency.cpp
   case/defect_case.cpp
   case/derived_defaults.cpp
+  case/drivetrain_reader.cpp
   case/described_fields.cpp
   case/drivetrain_fields.cpp
   case/field.cpp
@@ -29,17 +30,14 @@ set(ORBEARING_CASE_SOURCES
   case/oil_case.cpp
   case/printable.cpp
   case/profile_case.cpp
-  case/refinement_consistency.cpp
   case/requirements_case.cpp
   case/resolved_case.cpp
   case/rows_file.cpp
   case/spectrum_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp
-  case/set_case.cpp
   case/settings.cpp
   case/static_case.cpp
-  case/static_consistency.cpp
   case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp

@@ -9,73 +9,75 @@
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
+#include "coupling/analysis/planet_rating.hpp"
 #include "coupling/study/planet_scratch.hpp"
 #include "coupling/study/scratch_run.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::app::table {
 
 namespace {
 
-constexpr unsigned rated_runs = use::lives & ~unsigned{use::crown};
-
-Condition where_oil_is_stated() {
-  return where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
-                      "life.viscosity_ratio", "lubricant.kinematic_viscosity"});
+std::string laminae_key() {
+  return mechanics::key_of<bearing::CylindricalRollers>(
+      [](const auto& rollers) -> const auto& { return rollers.laminae; });
 }
+
+constexpr unsigned rated_runs = use::lives & ~unsigned{use::crown};
 
 // With the least number of laminae, which whole contacts have too, both are one formula.
 bool laminae_are_not_the_least(const ResolvedCase& in, std::string_view set) {
-  const std::string path = set.empty() ? "bearing.laminae" : "sets." + std::string(set) + ".bearing.laminae";
+  const std::string path = std::string(set) + laminae_key();
   return in.has(path) && in.integer(path) > 0 && in.integer(path) != bearing::rating::kLeastRatedLaminae;
 }
 
 // Rows of ratings and lives that single bearings have as well, with the uses by analyses of planets.
 void add_life(std::vector<Field>& fields) {
-  const auto add = [&]<class Struct>(Struct, const char* path, const Use& use) {
-    fields.push_back(field_of_row<Struct>(path, planetary_drivetrain, use));
+  const auto add = [&]<class Struct, class Member>(const Struct& part, const Member& member, const Use& use) {
+    fields.push_back(field_of_row<Struct>(mechanics::MemberKeys(part)(member), planetary_drivetrain, use));
   };
+  const analysis::PlanetRating rating;
+  const analysis::LifeInputs& life = rating.life;
+  const analysis::BearingOil& oil = rating.oil;
+  const analysis::StatedCapacities& capacities = rating.capacities;
+  const mechanics::MemberKeys key(rating);
+  const Condition oil_is_stated =
+      where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor),
+                   key(life.viscosity_ratio), key(oil.kinematic_viscosity)});
   Rows planets(fields, planetary_drivetrain);
   const Use by_planets(rated_runs, use::of_a_drivetrain & ~use::lives);
   const Use by_life(use::lives, use::of_a_drivetrain & ~unsigned{use::lives});
   // C_0 affects the fatigue load limit alone, which a crown shows in lives with an oil.
   const Use by_limit =
-      Use(rated_runs, use::of_a_drivetrain & ~rated_runs).used_too(use::crown, where_oil_is_stated());
-  const analysis::StatedCapacities capacities;
-  add(capacities, "bearing.dynamic_capacity", by_life);
-  add(capacities, "bearing.static_capacity", by_limit);
-  add(capacities, "bearing.fatigue_load_limit", by_limit);
+      Use(rated_runs, use::of_a_drivetrain & ~rated_runs).used_too(use::crown, oil_is_stated);
+  add(capacities, capacities.dynamic_capacity, by_life);
+  add(capacities, capacities.static_capacity, by_limit);
+  add(capacities, capacities.fatigue_load_limit, by_limit);
   // Unless kappa is that of the film, which crown does not compute.
-  const Use by_stated_kappa = by_life.when(where("life.viscosity_ratio_by", {"speed"}))
+  const Use by_stated_kappa = by_life.when(where(key(rating.viscosity_ratio_by), {"speed"}))
                                   .used_too(use::crown, std::vector<Condition>{});
-  const analysis::LifeInputs life;
-  add(life, "life.method", by_life.used_too(use::crown, where("life.method", {"iso-16281"})));
-  add(analysis::RollerLifeInputs{}, "life.stress_riser",
-      by_life.when(where_true(laminae_are_not_the_least, "where bearing.laminae is not 30"))
-          .used_too(use::crown, where_absent("bearing.laminae")));  // which takes 40 then
+  add(life, life.method, by_life.used_too(use::crown, where(key(life.method), {"iso-16281"})));
+  add(rating.rollers, rating.rollers.stress_riser,
+      by_life.when(where_true(laminae_are_not_the_least, "where " + laminae_key() + " is not 30"))
+          .used_too(use::crown, where_absent(laminae_key())));  // which takes 40 then
   planets.number(
       kMinimumLoadPath,
       "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule "
       "of thumb [SKFMinimumLoad]: 0.02 for roller bearings, 0.01 for ball bearings",
       by_planets.when(where_given({kSpectrumPath})), positive(1.0));
   // a_1 is in L10m and L10mr, which require an oil.
-  add(life, "life.reliability", by_life.when(where_oil_is_stated()));
-  add(life, "life.viscosity_ratio", by_stated_kappa);
-  add(life, "life.contamination_factor", by_life);
-  add(life, "life.lubrication",
-      by_life.when(where_absent("life.contamination_factor"))
-          .when(where_given({"life.cleanliness", "lubricant.grade", "life.viscosity_ratio",
-                             "lubricant.kinematic_viscosity"})));
-  add(life, "life.cleanliness", by_life);
-  planets
-      .choice("life.viscosity_ratio_by",
-              "source of kappa: speed and viscosity, or the ratio of the least computed film to "
-              "contact.roughness, to the power of 1.3",
-              Use(rated_runs, use::of_a_drivetrain & ~unsigned{use::lives})
-                  .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"})),
-              {"speed", "film"})
-      .by_default("speed", "as ISO 281 defines kappa; the film's own is its alternative");
-  add(analysis::BearingOil{}, "lubricant.kinematic_viscosity",
-      by_stated_kappa.when(where_absent("lubricant.grade")));
+  add(life, life.reliability, by_life.when(oil_is_stated));
+  add(life, life.viscosity_ratio, by_stated_kappa);
+  add(life, life.contamination_factor, by_life);
+  add(life, life.lubrication,
+      by_life.when(where_absent(key(life.contamination_factor)))
+          .when(where_given({key(life.cleanliness), key(oil.grade), key(life.viscosity_ratio),
+                             key(oil.kinematic_viscosity)})));
+  add(life, life.cleanliness, by_life);
+  add(rating, rating.viscosity_ratio_by,
+      Use(rated_runs, use::of_a_drivetrain & ~unsigned{use::lives})
+          .when(where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor)})));
+  add(oil, oil.kinematic_viscosity, by_stated_kappa.when(where_absent(key(oil.grade))));
 }
 
 void add_defects(std::vector<Field>& fields) {
@@ -83,9 +85,11 @@ void add_defects(std::vector<Field>& fields) {
   add_described(fields, study::ScratchedPosition{});
   add_described(fields, study::PlanetSampling{});
   Rows(fields, planetary_drivetrain)
-      .text("defect.set", "set with the scratched bearing, of several sets", Use(use::planet_defect, 0));
-  fields.push_back(field_of_row<analysis::EnvelopeBand>("signal.band", planetary_drivetrain,
-                                                        Use(use::planet_defect, 0)));
+      .text(std::string(kScratchedSet), "set with the scratched bearing, of several sets",
+            Use(use::planet_defect, 0));
+  const analysis::EnvelopeBand band;
+  fields.push_back(field_of_row<analysis::EnvelopeBand>(mechanics::MemberKeys(band)(band.ends),
+                                                        planetary_drivetrain, Use(use::planet_defect, 0)));
 }
 
 }  // namespace

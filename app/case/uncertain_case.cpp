@@ -14,9 +14,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/case/catalogue_quantities.hpp"
-#include "app/case/catalogue_fields.hpp"
 #include "app/case/analysis_names.hpp"
+#include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_quantities.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"

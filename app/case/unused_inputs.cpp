@@ -8,13 +8,15 @@
 
 #include "app/case/analysis_names.hpp"
 #include "app/case/bearing_type.hpp"
-#include "app/case/catalogue_warnings.hpp"
 #include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_warnings.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machine_rows.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
+#include "coupling/analysis/stated_drivetrain.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
 
@@ -121,10 +123,9 @@ const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned a
 // Parameters that act through another quantity where a choice makes it follow from them: by all that
 // uses the parameter `by`.
 struct Through {
-  std::initializer_list<std::string_view> paths;
-  std::string_view choice;
+  std::vector<std::string> paths;
+  std::string choice;  // which makes it follow, by this value, and by whose uses it counts
   std::string_view value;
-  std::string_view by;
   bool (*also)(const ResolvedCase&, std::string_view set) = nullptr;  // holds as well
   bool meshes = false;                                                // and what makes them
 
@@ -133,24 +134,24 @@ struct Through {
   }
 };
 
-const std::initializer_list<Through> through_others = {
-    // Seats and what they are of make the clearance.
-    {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
-     "bearing.clearance_state",
-     "unmounted",
-     "bearing.clearance_state"},
-    // The pin bends under bearings side by side; it and the meshes hold a planet that tilts.
-    {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
-     "bearing.tilt_state",
-     "computed",
-     "bearing.tilt_state",
-     bearings_tilt},
-    {{"gearset.sun_bore_ratio", "gearset.ring_outside_ratio"},
-     "bearing.tilt_state",
-     "computed",
-     "bearing.tilt_state",
-     planets_tilt,
-     true}};
+std::vector<Through> found_through_others() {
+  const analysis::StatedSet set;
+  const mechanics::MemberKeys key(set);
+  const bearing::Bearing& bearing = set.planets.bearing;
+  const std::vector<std::string> seats =
+      key.of(bearing.inner.seat_diameter, set.planets.mounting.rings, bearing.material.youngs_modulus,
+             bearing.material.poisson_ratio);
+  const std::string &clearance = key(set.planets.mounting.state), &tilt = key(set.planets.seats.tilt);
+  return {{seats, clearance, "unmounted"},  // seats and what they are of make the clearance
+                                            // The pin bends under bearings side by side; it and the meshes
+                                            // hold a planet that tilts.
+          {seats, tilt, "computed", bearings_tilt},
+          {key.of(set.gears.choice.bodies), tilt, "computed", planets_tilt, true}};
+}
+const std::vector<Through>& through_others() {
+  static const std::vector<Through> all = found_through_others();
+  return all;
+}
 
 bool is_chosen(const ResolvedCase& in, const Input& input, const Through& through) {
   const std::vector<Input> inputs = in.inputs();
@@ -162,9 +163,9 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
 }
 
 bool is_used_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
-  return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
+  return std::ranges::any_of(through_others(), [&](const Through& through) {
     if (!through.holds(input.field->path) || !is_chosen(in, input, through)) return false;
-    const Input by{beside(input.path, std::string(through.by)), find_field(through.by)};
+    const Input by{beside(input.path, through.choice), find_field(through.choice)};
     return ((use_of(in, by).by & analysis) != 0 || way_that_holds(in, by, analysis) != nullptr) &&
            (through.also == nullptr || through.also(in, set_of(input.path)));
   });

@@ -1,191 +1,141 @@
 #include "app/case/use_conditions.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
+#include <optional>
 
 #include "app/case/bearing_type.hpp"
-#include "bearing/mounted_clearance.hpp"
+#include "app/case/drivetrain_reader.hpp"
+#include "coupling/analysis/drivetrain_conditions.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-constexpr double kSame = 1e-12;  // [m]  lengths that are stated as equal
+using analysis::StatedDrivetrain;
+using analysis::StatedSet;
 
-// Whether values of bearings along the pin, or of points along a roller, are mirrored from one end to the
-// other.
-bool are_mirrored(const std::vector<double>& values, double sign) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::abs(values[i] - sign * values[values.size() - 1 - i]) > kSame) return false;
-  return true;
+// Of the case that was asked for last: all conditions of a case are asked one after another.
+const StatedDrivetrain& drivetrain_asked_for(const ResolvedCase& in) {
+  thread_local std::optional<ResolvedCase> of;  // a copy, so that no other case has the address of its data
+  thread_local StatedDrivetrain drivetrain;
+  if (!of || &of->data() != &in.data()) {
+    of.reset();
+    drivetrain = stated_drivetrain(in);
+    of = in;
+  }
+  return drivetrain;
 }
 
-// Clearances of bearings in the order of their places.
-bool has_unlike_ends(const ResolvedCase& in) {
-  const std::string positions = "bearing.axial_places", differences = "bearing.clearance_differences";
-  std::vector<std::size_t> order;
-  std::vector<double> position, clearance;
-  if (in.has(positions)) position = in.list(positions);
-  if (in.has(differences)) clearance = in.list(differences);
-  for (std::size_t i = 0; i < std::max(position.size(), clearance.size()); ++i) order.push_back(i);
-  if (!position.empty() && (clearance.empty() || clearance.size() == position.size()))
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
-  const auto sorted = [&](const std::vector<double>& values) {
-    std::vector<double> out;
-    for (const std::size_t i : order)
-      if (i < values.size()) out.push_back(values[i]);
-    return out;
-  };
-  return !are_mirrored(sorted(position), -1.0) || !are_mirrored(sorted(clearance), 1.0);
-}
-
-bool has_unlike_roller_ends(const ResolvedCase& in) {
-  if (!is_chosen(in, "bearing.profile.kind", "table")) return false;
-  return !are_mirrored(in.list("bearing.profile.x"), -1.0) ||
-         !are_mirrored(in.list("bearing.profile.drops"), 1.0);
-}
-
-std::string in_set(std::string_view set, const char* path) {
-  return std::string(set) + path;
-}
-
-bool is_grounded(const ResolvedCase& in, const std::string& member) {
-  return std::any_of(in.shape().shafts.begin(), in.shape().shafts.end(), [&](const std::string& shaft) {
-    const std::vector<std::string>& joined = in.texts(shaft_path(shaft));
-    const auto joins = [&](const std::string& one) {
-      return std::find(joined.begin(), joined.end(), one) != joined.end();
-    };
-    return joins("ground") && joins(member);
+// Whether it holds for that set; where none is named, for one of them.
+template <class Holds>
+bool holds_for(const ResolvedCase& in, std::string_view prefix, const Holds& holds) {
+  if (in.model() != planetary_drivetrain) return false;
+  return std::ranges::any_of(drivetrain_asked_for(in).sets, [&](const auto& one) {
+    return (prefix.empty() || set_prefix(one.name) == prefix) && holds(one.set);
   });
+}
+
+std::string name_of(const ResolvedCase& in, std::string_view prefix) {
+  for (const std::string& set : in.shape().sets)
+    if (set_prefix(set) == prefix) return set;
+  return "";
+}
+
+// A value that no default has.
+template <class Member>
+bool states(const ResolvedCase& in, std::string_view prefix, const Member& member) {
+  const std::string key = mechanics::key_of<StatedSet>(member);
+  return is_stated(in, std::string(prefix) + key) || is_stated(in, key);
 }
 
 }  // namespace
 
-bool makes_meshes(std::string_view path) {
-  return is_one_of(path, {"gearset.addendum_of.sun", "gearset.addendum_of.ring", "gearset.clearance_of.sun",
-                          "gearset.clearance_of.ring", "gearset.web.thickness", "gearset.web.rim",
-                          "gearset.tooth_contact", "gearset.lead_slope.sun", "gearset.lead_slope.ring",
-                          "gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"}) ||
-         begins_with_one_of(path, {"gearset.tip_relief.", "gearset.lead_crown."});
+bool planets_tilt(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::planets_tilt);
 }
-
-bool planets_tilt(const ResolvedCase& in, std::string_view) {
-  return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||
-         is_chosen(in, "support.pin_ends", "flexpin") || in.has("gearset.stepped_planet.teeth") ||
-         is_nonzero(in, "support.pin_inclination.radial") ||
-         is_nonzero(in, "support.pin_inclination.tangential") || in.has("support.carrier_twist_stiffness") ||
-         has_unlike_ends(in) || has_unlike_roller_ends(in);
-}
-
 bool bearings_tilt(const ResolvedCase& in, std::string_view set) {
-  return planets_tilt(in, set) || (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 1);
+  return holds_for(in, set, analysis::bearings_tilt);
 }
-
-bool pin_links_rows(const ResolvedCase& in, std::string_view) {
-  return is_chosen(in, "support.pin_ends", "one") || is_chosen(in, "support.pin_ends", "flexpin") ||
-         (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 2);
+bool pin_links_rows(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::pin_links_rows);
 }
 
 bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
-  if (!in.shape().several) return !is_chosen(in, "gearset.fixed", "carrier");
-  return std::any_of(in.shape().sets.begin(), in.shape().sets.end(), [&](const std::string& name) {
-    return (set.empty() || set == set_prefix(name)) && !is_grounded(in, name + ".carrier");
-  });
+  return in.model() == planetary_drivetrain &&
+         analysis::carrier_rotates(drivetrain_asked_for(in), name_of(in, set));
 }
-
 bool carrier_pulls(const ResolvedCase& in, std::string_view set) {
-  return carrier_rotates(in, set) && is_on(in, "inertia.carrier_centrifugal");
+  return carrier_rotates(in, set) && holds_for(in, set, [](const StatedSet& of) {
+           return of.planets.dynamics.inertia.carrier_centrifugal;
+         });
 }
-
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
-  return carrier_pulls(in, set) || is_chosen(in, in_set(set, "gearset.planet_rim"), "elastic") ||
-         is_chosen(in, in_set(set, "bearing.clearance_state"), "unmounted") ||
-         (is_chosen(in, in_set(set, "bearing.tilt_state"), "computed") && planets_tilt(in, set));
+  return carrier_pulls(in, set) || holds_for(in, set, analysis::planet_counts_without_mass);
 }
 
 bool carrier_is_body(const ResolvedCase& in, std::string_view) {
-  return in.shape().bearing && in.shape().teeth && !in.shape().several &&
-         in.has("gearset.carrier.bearing_positions") && in.has("gearset.carrier.bearing_stiffness") &&
-         is_chosen(in, "gearset.fixed", "ring") && !is_chosen(in, "gearset.planet_rim", "elastic") &&
-         !in.has("gearset.stepped_planet.teeth") && !in.has("gearset.second_planet.teeth") &&
-         has_cylindrical_rollers(in);
+  return in.model() == planetary_drivetrain && analysis::carrier_is_body(drivetrain_asked_for(in));
 }
 
-bool bearings_make_springs(const ResolvedCase& in, std::string_view) {
-  return in.shape().bearing && (!is_stated(in, "gearset.dynamics.planet.bearing_stiffness") ||
-                                is_chosen(in, "gearset.planet_rim", "elastic"));
+bool bearings_make_springs(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::bearings_make_springs);
 }
-
 bool loads_make_springs(const ResolvedCase& in, std::string_view set) {
-  return bearings_make_springs(in, set) || is_chosen(in, "gearset.tooth_contact", "loaded");
+  return holds_for(in, set, analysis::loads_make_springs);
 }
-
-bool teeth_make_meshes(const ResolvedCase& in, std::string_view) {
-  return in.shape().teeth && (!is_stated(in, "gearset.dynamics.mesh_stiffness.sun") ||
-                              !is_stated(in, "gearset.dynamics.mesh_stiffness.ring"));
+bool teeth_make_meshes(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::teeth_make_meshes);
 }
 
 bool material_makes_springs(const ResolvedCase& in, std::string_view set) {
-  const bool pins = !is_stated(in, "support.stiffness");
-  const bool films = is_on(in, "film.enabled");
-  return teeth_make_meshes(in, set) || is_chosen(in, "gearset.planet_rim", "elastic") ||
-         (bearings_make_springs(in, set) && (pins || films));
+  return holds_for(in, set, [&](const StatedSet& of) {
+    const bool pins = !states(
+        in, set, [](const auto& m) -> const auto& { return m.planets.dynamics.support.stiffness; });
+    return analysis::teeth_make_meshes(of) || of.planets.rim == study::PlanetRim::elastic ||
+           (analysis::bearings_make_springs(of) && (pins || of.planets.dynamics.race.film_in_approach));
+  });
 }
 
 bool modulus_makes_springs(const ResolvedCase& in, std::string_view set) {
   if (material_makes_springs(in, set)) return true;
-  return in.shape().teeth &&
-         std::ranges::any_of(std::array{"sun", "ring", "carrier"}, [&](const char* member) {
-           return !is_stated(in, in_set(set, "gearset.dynamics.") + member + ".support_stiffness");
-         });
-}
-
-bool fits_are_warm(const ResolvedCase& in, std::string_view set) {
-  constexpr const char* parts[] = {"pin", "inner_ring", "rollers", "outer_ring", "planet"};
-  return std::any_of(std::begin(parts), std::end(parts), [&](const char* part) {
-    const std::string path = in_set(set, "bearing.temperature.") + part;
-    return in.has(path) && in.quantity(path) != bearing::kSizesTemperature;
+  return holds_for(in, set, [&](const StatedSet& of) {
+    return of.has_teeth() &&
+           !(states(
+                 in, set,
+                 [](const auto& m) -> const auto& { return m.gears.choice.sun.support_stiffness; }) &&
+             states(
+                 in, set,
+                 [](const auto& m) -> const auto& { return m.gears.choice.ring.support_stiffness; }) &&
+             states(
+                 in, set,
+                 [](const auto& m) -> const auto& { return m.gears.choice.carrier.support_stiffness; }));
   });
 }
 
+bool fits_are_warm(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::fits_are_warm);
+}
+
 bool planets_have_rollers(const ResolvedCase& in, std::string_view set) {
-  if (in.model() != planetary_drivetrain) return true;
-  const auto rolls = [&](const std::string& prefix) {
-    return bearing_type_of(in, prefix) != bearing::PlanetBearingType::deep_groove_ball;
-  };
-  const std::vector<std::string>& sets = in.shape().sets;
-  return !set.empty() || sets.empty()
-             ? rolls(std::string(set))
-             : std::ranges::any_of(sets, [&](const std::string& name) { return rolls(set_prefix(name)); });
+  return in.model() != planetary_drivetrain ||
+         holds_for(in, set, [](const StatedSet& of) { return !of.has_balls(); });
 }
 
 bool resonances_are_named(const ResolvedCase& in, std::string_view) {
-  const CaseShape& shape = in.shape();
-  return in.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
-         has_cylindrical_rollers(in) && !in.has("gearset.second_planet.teeth") &&
-         is_on(in, "gearset.mesh_variation");
+  return in.model() == planetary_drivetrain && analysis::resonances_are_named(drivetrain_asked_for(in));
 }
-
-bool is_one_system(const ResolvedCase& in, std::string_view set) {
-  return !in.shape().several && in.shape().teeth && is_chosen(in, "bearing.complement", "full") &&
-         speed_is_steady(in, set) && !is_chosen(in, "bearing.tilt_state", "computed");
+bool is_one_system(const ResolvedCase& in, std::string_view) {
+  return in.model() == planetary_drivetrain && analysis::is_one_system(drivetrain_asked_for(in));
 }
-
 bool pin_is_race(const ResolvedCase& in, std::string_view set) {
-  const std::string rings = in_set(set, "bearing.rings");
-  return in.has(rings) && in.choice(rings) != "both";
+  return holds_for(in, set, analysis::pin_is_race);
 }
-
-bool speed_is_steady(const ResolvedCase& in, std::string_view) {
-  return !is_nonzero(in, "input.acceleration");
+bool speed_is_steady(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::speed_is_steady);
 }
-
-bool gears_run_up(const ResolvedCase& in, std::string_view) {
-  return is_nonzero(in, "gearset.dynamics.run_up.duration") &&
-         in.number("gearset.dynamics.run_up.from") != 1.0;
+bool gears_run_up(const ResolvedCase& in, std::string_view set) {
+  return holds_for(in, set, analysis::gears_run_up);
 }
 
 }  // namespace orbearing::app

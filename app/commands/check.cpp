@@ -8,9 +8,9 @@
 #include "app/case/catalogue_quantities.hpp"
 #include "app/case/catalogue_warnings.hpp"
 #include "app/case/check_table.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machines.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
@@ -57,8 +57,7 @@ Checked check(const ResolvedCase& resolved) {
                          rim_warnings(resolved.without_sweep()), analysis::cage_warnings(sets),
                          analysis::clearance_warnings(sets)),
                   resolved.shape().several || resolved.shape().teeth};
-  if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
-      has_cylindrical_rollers(resolved))
+  if (gears_can_move(stated_drivetrain(resolved)))
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
   checked.derived = joined(checked.derived, own);

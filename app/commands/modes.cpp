@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/case/use_conditions.hpp"
@@ -85,7 +85,8 @@ int execute(const ModesOptions& options) {
                             turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
                             options.print);
   const double speed = speed_option(options.speed);
-  if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
+  if (resolved.model() == planetary_drivetrain && stated_drivetrain(resolved).has_pairs())
+    require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options.speed);
   std::vector<std::string> warnings =
       joined(gear_dynamics_warnings(resolved),

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "app/case/set_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/analysis/spatial_modes.hpp"
@@ -34,7 +34,7 @@ void require_carrier(const ResolvedCase& in) {
   if (!in.has(kPositions))
     throw BadInput(in.file() + ": " + kPositions +
                    ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
-  if (stated_set(in).fixed_member != gearset::Member::ring)
+  if (stated_set(in).teeth.fixed_member != gearset::Member::ring)
     throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 

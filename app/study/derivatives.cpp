@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/case/defect_case.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"

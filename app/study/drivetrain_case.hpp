@@ -1,4 +1,4 @@
-// From a resolved case to the parameters of a drivetrain, and warnings about its teeth.
+// Warnings of the gears of a resolved case, and the life by which its bearings are judged.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,12 @@
 
 #include "app/case/resolved_case.hpp"
 #include "bearing/life/life_modification.hpp"
-#include "coupling/study/drivetrain.hpp"
+#include "bearing/life/rating_lives.hpp"
 
 namespace orbearing::app {
 
-/// Parameters of a case of the model planetary-drivetrain that has one set, without the dynamic model of its
-/// gears, which itself follows from them: drivetrain_of() adds it.
-study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& resolved);
-
 /// Warnings of the gears, each with its place in the case; sets without bearings included.
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved);
-
-/// Whether some set has helical teeth.
-bool is_helical(const ResolvedCase& resolved);
 
 /// Effects that the motion of helical gears leaves out.
 std::vector<std::string> planar_warnings(const ResolvedCase& resolved);

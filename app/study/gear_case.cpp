@@ -2,26 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <utility>
+
 #include "app/case/bearing_type.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/machine_of.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/machines.hpp"
-#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "coupling/analysis/gear_quantities.hpp"
 
 namespace orbearing::app {
-
-study::SetGears set_gears_of(const ResolvedCase& in) {
-  study::SetGears gears{.choice = from_case<study::GearDynamicsChoice>(in),
-                        .material = from_case<mechanics::Elasticity>(in)};
-  if (!in.shape().teeth) return gears;
-  gears.choice.bodies = machine_of<gearset::BodyRatios>(in);
-  gears.choice.run_up = machine_of<gearset::dynamics::RunUp>(in);
-  gears.choice.frame = machine_of<gearset::dynamics::FrameSwitches>(in);
-  return gears;
-}
 
 namespace {
 
@@ -54,34 +45,36 @@ auto of_sound_gears(const ResolvedCase& in, const Compute& compute) {
   }
 }
 
+study::PlanetaryDrivetrain single_set(const analysis::StatedDrivetrain& stated) {
+  return drivetrain_of(stated.single(), drive_of(stated));
+}
+
 }  // namespace
 
-gearset::dynamics::SetModel gear_model_of(const ResolvedCase& in,
-                                          const study::PlanetaryDrivetrain& drivetrain,
-                                          const std::optional<study::DrivetrainGeometry>& known) {
-  require_one_set(in);
-  const study::SetGears gears = set_gears_of(in);
-  if (!in.shape().teeth) return study::toothless_model(stated_set(in), gears.choice, 0.0);
-  if (!known) require_known_springs(in);
-  return of_sound_gears(in, [&] {
-    return study::gear_model(drivetrain, known ? *known : study::geometry_of(drivetrain), gears);
-  });
+study::PlanetaryDrivetrain with_sound_gears(const ResolvedCase& in, study::PlanetaryDrivetrain drivetrain) {
+  if (drivetrain.gear_set)
+    drivetrain.gear_set = [in, built = std::move(drivetrain.gear_set)] { return of_sound_gears(in, built); };
+  return drivetrain;
+}
+
+study::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& in, study::PlanetaryDrivetrain drivetrain) {
+  if (drivetrain.gear_set)
+    drivetrain.gear_set = [in, built = std::move(drivetrain.gear_set)] {
+      require_known_springs(in);
+      return of_sound_gears(in, built);
+    };
+  return drivetrain;
 }
 
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& in, double carrier_speed) {
   require_one_set(in);
-  return in.shape().teeth ? gear_model_of(in, drivetrain_without_gear_set(in))
-                          : study::toothless_model(stated_set(in), set_gears_of(in).choice, carrier_speed);
-}
-
-std::function<gearset::dynamics::SetParameters()> gears_of(
-    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
-    const std::optional<study::DrivetrainGeometry>& known) {
-  return [in, any_type = known.has_value(),
-          built = study::gears_built_once(drivetrain, set_gears_of(in), known)] {
-    if (!any_type) require_known_springs(in);
-    return of_sound_gears(in, built);
-  };
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedSet& set = stated.single();
+  if (!in.shape().teeth) return study::toothless_model(set.teeth, set.gears.choice, carrier_speed);
+  require_known_springs(in);
+  const study::PlanetaryDrivetrain drivetrain = single_set(stated);
+  return of_sound_gears(
+      in, [&] { return study::gear_model(drivetrain, study::geometry_of(drivetrain), set.gears); });
 }
 
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& in) {
@@ -97,11 +90,12 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& in) {
   require_one_set(in);
   require_known_springs(in);
   described::Record record;
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
   if (!in.shape().teeth)
     describe(record, analysis::GearQuantities{gear_model_of(in)});
   else
     describe(record, of_sound_gears(in, [&] {
-               return analysis::gear_quantities(drivetrain_without_gear_set(in), set_gears_of(in));
+               return analysis::gear_quantities(single_set(stated), stated.single().gears);
              }));
   return derived_rows(record);
 }
@@ -110,8 +104,8 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& in) {
   std::vector<std::string> texts = gear_warnings(in);
   for (std::string& text : planar_warnings(in)) texts.push_back(std::move(text));
   if (!in.shape().teeth) return texts;
-  for (const gearset::Warning& warning :
-       study::mesh_warnings(drivetrain_without_gear_set(in), set_gears_of(in)))
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  for (const gearset::Warning& warning : study::mesh_warnings(single_set(stated), stated.single().gears))
     texts.push_back(warning.key + ": " + warning.text);
   return texts;
 }

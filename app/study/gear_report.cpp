@@ -9,7 +9,7 @@
 #include <map>
 
 #include "app/case/bearing_type.hpp"
-#include "app/case/set_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
@@ -211,8 +211,8 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
 }  // namespace
 
 bool has_gear_report(const ResolvedCase& resolved) {
-  return resolved.model() == planetary_drivetrain && !resolved.shape().several && resolved.shape().teeth &&
-         !has_stepped_planets(resolved) && !has_planet_pairs(resolved) && has_cylindrical_rollers(resolved);
+  return resolved.model() == planetary_drivetrain && resolved.shape().teeth &&
+         gears_can_move(stated_drivetrain(resolved));
 }
 
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm) {

@@ -1,10 +1,7 @@
 #include "app/study/mesh_study.hpp"
 
-#include "app/case/machine_of.hpp"
-#include "app/case/set_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
-#include "app/study/gear_case.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
 
 namespace orbearing::app {
@@ -19,12 +16,15 @@ MeshStudy mesh_study(const ResolvedCase& in) {
                    ": sets: found several sets; required: one set, as gearset at the top of a case");
   if (!in.shape().teeth)
     throw BadInput(in.file() + ": gearset.teeth: missing; required: teeth, which the meshes follow from");
-  return analysis::meshes_of_set(drivetrain_without_gear_set(in), set_gears_of(in), stated_geometry(in));
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedSet& set = stated.single();
+  return analysis::meshes_of_set(drivetrain_of(set, drive_of(stated)), set.gears, set.geometry);
 }
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
-  return study::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), set_gears_of(in));
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(stated.single(), drive_of(stated));
+  return study::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), stated.single().gears);
 }
 
 }  // namespace orbearing::app

@@ -3,139 +3,66 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/case/arrangement_case.hpp"
-#include "app/case/bearing_type.hpp"
-#include "app/case/defect_case.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/set_case.hpp"
-#include "app/case/use_conditions.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
-#include "coupling/analysis/power_of_members.hpp"
 #include "coupling/analysis/set_quantities.hpp"
-#include "gearset/drivetrain/power_flow.hpp"
+#include "coupling/study/carrier_revolution.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-// How the housing holds the carrier, where it is taken as a body. Throws BadInput where lists do not fit.
-std::optional<gearset::spatial::CarrierMounting> carrier_mounting_of(const ResolvedCase& in) {
-  if (!carrier_is_body(in, "")) return std::nullopt;
-  const auto mounting = from_case<gearset::spatial::CarrierMounting>(in);
+// Throws BadInput where lists of the carrier's bearings do not fit.
+void require_sound_carrier(const ResolvedCase& in, const analysis::StatedDrivetrain& stated) {
+  if (!analysis::carrier_is_body(stated)) return;
   try {
-    study::require_sound(mounting);
+    study::require_sound(stated.single().carrier);
   } catch (const std::invalid_argument& error) {
     throw BadInput(in.file() + ": " + error.what());
   }
-  return mounting;
 }
 
 }  // namespace
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
-  study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
-  if (has_planet_bearing(in)) out.gear_set = gears_of(in, out);
-  return out;
+  return with_refused_gears(in, analysis::moving_set(stated_drivetrain(in), ""));
 }
 
-namespace {
-
-// Names of planets in pairs, which are modelled as two sets that share the power.
-const std::vector<std::string> kPairNames{"first_planet", "second_planet"};
-
-std::vector<study::NamedSet> planets_of_pairs(const ResolvedCase& resolved) {
-  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
-  std::vector<study::NamedSet> planets;
-  for (const std::string& name : kPairNames) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
-    drivetrain.of_pair = {second_planet_of(resolved), name == kPairNames.back()};
-    drivetrain.in_arrangement = flow.sets.front();
-    drivetrain.mesh_variation = false;
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-    planets.push_back({name, std::move(drivetrain), geometry});
-  }
-  return planets;
+study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& in) {
+  if (!in.shape().several) return drivetrain_of(in);
+  const std::string& name = in.text(kScratchedSet);
+  return with_refused_gears(in.of_set(name), analysis::moving_set(stated_drivetrain(in), name));
 }
 
-}  // namespace
-
-std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
-  if (has_planet_pairs(resolved)) return kPairNames;
-  std::vector<std::string> names;
-  for (const std::string& set : resolved.shape().sets)
-    if (has_planet_bearing(resolved, set_prefix(set))) names.push_back(set);
-  return names;
+std::vector<std::string> bearing_set_names(const ResolvedCase& in) {
+  return analysis::bearing_set_names(stated_drivetrain(in));
 }
 
-namespace {
-
-// One of several, without its gears.
-study::PlanetaryDrivetrain arranged_drivetrain(const ResolvedCase& resolved, const ResolvedCase& of_set,
-                                               const std::string& name, const gearset::PowerFlow& flow) {
-  const std::vector<std::string>& all = resolved.shape().sets;
-  study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(of_set);
-  drivetrain.drive = drive_of(resolved);
-  drivetrain.in_arrangement = flow.sets[static_cast<std::size_t>(std::ranges::find(all, name) - all.begin())];
-  study::mount(drivetrain);
-  return drivetrain;
-}
-
-}  // namespace
-
-study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& resolved) {
-  if (!resolved.shape().several) return drivetrain_of(resolved);
-  const std::string& name = resolved.text(kScratchedSet);
-  const ResolvedCase of_set = resolved.of_set(name);
-  study::PlanetaryDrivetrain drivetrain =
-      arranged_drivetrain(resolved, of_set, name, gearset::power_flow(arrangement_of(resolved)));
-  drivetrain.set.fixed_member = held_member_of(resolved, name).value();
-  drivetrain.gear_set = gears_of(of_set, drivetrain);
-  return drivetrain;
-}
-
-std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
-  if (has_planet_pairs(resolved)) return planets_of_pairs(resolved);
-  if (!resolved.shape().several) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-    if (drivetrain.has_bearing() && drivetrain.bearing.has_rollers())
-      drivetrain.gear_set = gears_of(resolved, drivetrain, geometry);
-    drivetrain.carrier_mounting = carrier_mounting_of(resolved);
-    return {{"", std::move(drivetrain), geometry}};
-  }
-  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
-  std::vector<study::NamedSet> sets;
-  for (const std::string& name : bearing_set_names(resolved)) {
-    const ResolvedCase of_set = resolved.of_set(name);
-    study::PlanetaryDrivetrain drivetrain = arranged_drivetrain(resolved, of_set, name, flow);
-    drivetrain.mesh_variation = false;  // gears of several sets do not move yet: they share loads at rest
-    drivetrain.gear_set = gears_of(of_set, drivetrain);
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-    sets.push_back({name, std::move(drivetrain), geometry});
-  }
+std::vector<study::NamedSet> bearing_sets(const ResolvedCase& in) {
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  require_sound_carrier(in, stated);
+  std::vector<study::NamedSet> sets = analysis::bearing_sets(stated);
+  for (auto& [name, drivetrain, geometry] : sets)
+    drivetrain = in.shape().several ? with_refused_gears(in.of_set(name), std::move(drivetrain))
+                                    : with_sound_gears(in, std::move(drivetrain));
   return sets;
 }
 
 std::vector<study::NamedSet> stated_sets(const ResolvedCase& in) {
-  std::vector<study::NamedSet> sets;
-  if (in.model() != planetary_drivetrain) return sets;
-  if (in.shape().several)
-    for (const std::string& name : in.shape().sets)
-      sets.push_back({name, drivetrain_without_gear_set(in.of_set(name)), {}});
-  else if (in.shape().teeth || in.shape().bearing)
-    sets.push_back({"", drivetrain_without_gear_set(in), {}});
-  return sets;
+  if (in.model() != planetary_drivetrain) return {};
+  return analysis::stated_sets(stated_drivetrain(in));
 }
 
 analysis::PowerOfMembers power_of(const ResolvedCase& in) {
-  return analysis::power_of_members(arrangement_of(in), drive_of(in));
+  return analysis::power_of(stated_drivetrain(in));
 }
 
 std::vector<std::string> overturning_warnings(const ResolvedCase& in) {
-  return is_helical(in) ? analysis::overturning_warnings(bearing_sets(in)) : std::vector<std::string>{};
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  return analysis::is_helical(stated) ? analysis::overturning_warnings(analysis::bearing_sets(stated))
+                                      : std::vector<std::string>{};
 }
 
 std::vector<std::string> slope_warnings(const ResolvedCase& in) {
@@ -177,37 +104,30 @@ std::vector<analysis::NamedSpeed> few_swept_speeds(const ResolvedCase& in) {
   return speeds;
 }
 
-void add_sets_without_bearing(const ResolvedCase& in, std::vector<Derived>& rows) {
-  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
-  const std::vector<std::string>& names = in.shape().sets;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (has_planet_bearing(in, set_prefix(names[i]))) continue;
-    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in.of_set(names[i]));
-    drivetrain.drive = drive_of(in);
-    drivetrain.in_arrangement = flow.sets[i];
-    add_rows_of(analysis::quantities_of_gears(drivetrain), names[i], rows);
-  }
+const study::SetGears& gears_of(const analysis::StatedDrivetrain& stated, const std::string& set) {
+  const auto named = std::ranges::find(stated.sets, set, &analysis::NamedStatedSet::name);
+  return named == stated.sets.end() ? stated.single().gears : named->set.gears;  // planets of pairs
 }
 
 }  // namespace
 
 std::vector<Derived> derived_quantities(const ResolvedCase& in) {
   std::vector<Derived> rows;
-  const bool several = in.shape().several;
-  if (several || in.shape().bearing) {
+  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  if (!stated.is_single() || in.shape().bearing) {
     for (const study::NamedSet& set : bearing_sets(in))
-      add_rows_of(analysis::quantities_of(set, set_gears_of(several ? in.of_set(set.name) : in),
-                                          few_swept_speeds(in)),
-                  set.name, rows);
+      add_rows_of(analysis::quantities_of(set, gears_of(stated, set.name), few_swept_speeds(in)), set.name,
+                  rows);
     // Pins of all sets are alike where the case states one stiffness for all.
     if (in.has(kPinStiffness))
       std::erase_if(rows, [](const Derived& row) { return row.path.ends_with(kPinStiffness); });
-    if (several) add_sets_without_bearing(in, rows);
+    for (const study::NamedSet& set : analysis::sets_without_bearing(stated))
+      add_rows_of(analysis::quantities_of_gears(set.drivetrain), set.name, rows);
   } else if (in.shape().teeth) {
-    add_rows_of(analysis::quantities_of_gears(drivetrain_without_gear_set(in)), "", rows);
+    add_rows_of(analysis::quantities_of_gears(stated_sets(in).front().drivetrain), "", rows);
   }
-  if (!several && !in.shape().teeth) return rows;
-  if (const auto ratio = analysis::overall_ratio(arrangement_of(in), drive_of(in)))
+  if (stated.is_single() && !in.shape().teeth) return rows;
+  if (const auto ratio = analysis::overall_ratio(arrangement_of(stated), drive_of(stated)))
     add_rows_of(*ratio, "", rows);
   return rows;
 }

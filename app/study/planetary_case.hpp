@@ -11,7 +11,8 @@
 
 namespace orbearing::app {
 
-/// Parameters of a case of the model planetary-drivetrain that has one set.
+/// Parameters of a case of the model planetary-drivetrain that has one set; with a bearing also the dynamic
+/// model of its gears.
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
 
 /// The set of a case with a scratched planet bearing, which moves; among several sets that of defect.set, at

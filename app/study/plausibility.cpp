@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/life/rating_record.hpp"
 
@@ -60,7 +59,7 @@ std::vector<Observation> observations(const ResolvedCase& at_point) {
   else if (at_point.shape().several || at_point.shape().bearing)
     found = analysis::observations(bearing_sets(at_point));
   else if (at_point.shape().teeth)
-    found = analysis::observations_of_gears(drivetrain_without_gear_set(at_point));
+    found = analysis::observations_of_gears(stated_sets(at_point).front().drivetrain);
   return found;
 }
 

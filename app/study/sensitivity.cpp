@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/machines.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -244,7 +244,7 @@ bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis ana
 
 std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
   const std::optional<ResolvedCase> simple = simplified(resolved);
-  if (!simple || !uneven_planets_by(*simple).empty()) return {};  // each change would take seconds
+  if (!simple || !unequal_loads_by(*simple).empty()) return {};  // each change would take seconds
   const ResolvedCase& in = *simple;
   const Lives here = lives_at_rest(in);
   std::vector<std::pair<double, AssumedEffect>> found;

@@ -117,7 +117,7 @@ struct RaceContactParameters {
 inline auto starvation_row(Starvation& starvation) {
   using namespace described;
   return field(
-      starvation, "traction.starvation", Physics::motion,
+      starvation, "traction.starvation",
       "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
       "at rest by the oil that returns to the tracks",
       {.models = in_motion | roller_bearing,
@@ -126,7 +126,7 @@ inline auto starvation_row(Starvation& starvation) {
 }
 inline auto film_row(bool& in_approach) {
   using namespace described;
-  return field(in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
+  return field(in_approach, "film.enabled", "the approach includes the film",
                {.models = planetary_drivetrain | ball_bearing,
                 .reason = "dry contacts first; the effect of the film is shown separately"});
 }
@@ -137,80 +137,72 @@ void describe(Visitor& visit, RaceContactParameters& m) {
   constexpr Where coulomb{"traction.law", "regularised-coulomb"}, mixed{"contact.lubrication", "mixed"};
   members(
       visit, m,
-      field(m.damping, "contact.damping", Physics::motion,
-            "relative increase of a race load per approach speed",
+      field(m.damping, "contact.damping", "relative increase of a race load per approach speed",
             {.models = in_time,
              .dimension = dimension::inverse_speed,
              .range = {0.0, 100.0},
-             .reason = "a tenth of critical on a small roller at 1 kN",
-             .fmu = InFmu::parameter}),
-      field(m.traction, "traction.law", Physics::motion, "friction in the race contacts over sliding speed",
+             .reason = "a tenth of critical on a small roller at 1 kN"}),
+      field(m.traction, "traction.law", "friction in the race contacts over sliding speed",
             {.models = in_time,
              .reason = "the model of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"}),
-      field(m.friction, "traction.friction", Physics::motion,
-            "largest friction coefficient of the regularised Coulomb law",
+      field(m.friction, "traction.friction", "largest friction coefficient of the regularised Coulomb law",
             {.models = in_time,
              .range = {0.0, 1.0},
              .reason = "mineral oil at moderate pressure",
-             .where = coulomb,
-             .fmu = InFmu::parameter}),
-      field(m.sliding_scale, "traction.sliding_scale", Physics::motion,
-            "sliding speed over which friction builds up",
+             .where = coulomb}),
+      field(m.sliding_scale, "traction.sliding_scale", "sliding speed over which friction builds up",
             {.models = in_time,
              .dimension = dimension::speed,
              .range = positive(100.0),
              .reason = "creep of oiled contacts",
-             .where = coulomb,
-             .fmu = InFmu::parameter}),
+             .where = coulomb}),
       field(
-          m.sliding_share, "traction.sliding_share", Physics::motion,
+          m.sliding_share, "traction.sliding_share",
           "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
           {.models = planetary_drivetrain,
            .range = {0.0, 1.0},
            .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % "
                      "[JohnsonTevaarwerk1977]"}),
-      field(m.limiting_friction, "traction.limiting_friction", Physics::motion,
+      field(m.limiting_friction, "traction.limiting_friction",
             "limiting shear stress of the oil over pressure",
             {.models = in_time,
              .range = {0.0, 1.0},
              .reason = "mineral oil",
-             .where = {"traction.law", "limiting-shear"},
-             .fmu = InFmu::parameter}),
+             .where = {"traction.law", "limiting-shear"}}),
       internal(m.least_sliding_scale, "traction.least_sliding_scale"),
-      field(m.pressure_law, "traction.pressure_law", Physics::motion,
+      field(m.pressure_law, "traction.pressure_law",
             "growth of the viscosity with pressure in sheared films: Barus, limited, or Roelands",
             {.models = in_time,
              .reason = "what published cases use",
              .where = {"traction.law", "limiting-shear|ree-eyring"}}),
-      field(m.largest_barus_exponent, "traction.largest_barus_exponent", Physics::motion,
+      field(m.largest_barus_exponent, "traction.largest_barus_exponent",
             "limit of pressure-viscosity coefficient times pressure (Barus)",
             {.models = in_time,
              .range = positive(100.0),
              .reason = "the exponent of Roelands' law is 6 to 9 for oils of 3 to 20 mPa s at 1 GPa",
              .where = {"traction.pressure_law", "barus"}}),
       internal(m.entrainment_scale, "traction.entrainment_scale"),
-      field(m.rolling_resistance, "traction.rolling_resistance", Physics::motion,
+      field(m.rolling_resistance, "traction.rolling_resistance",
             "shear of the oil at the inlet causes rolling resistance",
             {.models = in_time, .reason = "nothing left out"}),
-      field(m.rolling_law, "traction.rolling_law", Physics::motion,
+      field(m.rolling_law, "traction.rolling_law",
             "resistance of rollers to rolling as computed by Reynolds' equation, or by the regression of "
             "[ZhouHoeprich1991]",
             {.models = planetary_drivetrain,
              .reason = "computed, not from memory; 0.8 to 1.7 times the regression",
              .where = {"traction.rolling_resistance", "true"}}),
-      field(m.inlet_heating, "traction.inlet_heating", Physics::motion,
+      field(m.inlet_heating, "traction.inlet_heating",
             "reduction of the rolling resistance by shear heating of the oil at the inlet",
             {.models = in_time,
              .reason = "isothermal, as in published cases",
              .where = {"traction.rolling_resistance", "true"}}),
       starvation_row(m.starvation),
       field(
-          m.film_heating, "film.inlet_heating", Physics::motion,
+          m.film_heating, "film.inlet_heating",
           "reduction of the reported films, and of kappa by film, by shear heating of the inlet and sliding; "
           "loads, friction and film.enabled keep the isothermal film",
           {.models = planetary_drivetrain, .reason = "isothermal, as in published cases"}),
-      field(m.viscosity_slope, "heat.viscosity_slope", Physics::motion,
-            "relative decrease of the viscosity per kelvin",
+      field(m.viscosity_slope, "heat.viscosity_slope", "relative decrease of the viscosity per kelvin",
             {.models = in_time,
              .dimension = dimension::per_kelvin,
              .range = {0.0, 0.2},
@@ -219,29 +211,27 @@ void describe(Visitor& visit, RaceContactParameters& m) {
                        "true|goksem-hargreaves|gupta"}}),
       internal(m.oil_conductivity, "traction.oil_conductivity"),
       internal(m.rolling_share, "traction.rolling_share"), film_row(m.film_in_approach),
-      field(m.squeeze, "contact.squeeze", Physics::motion,
+      field(m.squeeze, "contact.squeeze",
             "squeeze film between rolling element and race resists their approach",
             {.models = in_time,
              .reason =
                  "the models of [Gai2025] and [Chen2026], which have none; its effect is shown separately"}),
-      field(m.lubrication, "contact.lubrication", Physics::motion,
+      field(m.lubrication, "contact.lubrication",
             "friction in the race contacts: one model, or shared by film and asperities",
             {.models = planetary_drivetrain, .reason = "smooth surfaces, fully parted"}),
-      field(m.roughness, "contact.roughness", Physics::motion,
+      field(m.roughness, "contact.roughness",
             "composite roughness (rms) of roller and race, for mixed lubrication and squeezed films",
             {.models = in_time,
              .dimension = dimension::small_length,
              .range = positive(100.0),
              .reason = "honed races, ground rollers",
-             .where = {"contact.lubrication|contact.squeeze", "mixed|true"},
-             .fmu = InFmu::parameter}),
-      field(m.boundary_friction, "contact.boundary_friction", Physics::motion,
+             .where = {"contact.lubrication|contact.squeeze", "mixed|true"}}),
+      field(m.boundary_friction, "contact.boundary_friction",
             "friction coefficient of asperities, for mixed lubrication",
             {.models = planetary_drivetrain,
              .range = {0.0, 1.0},
              .reason = "mineral oil with additives",
-             .where = mixed,
-             .fmu = InFmu::parameter}));
+             .where = mixed}));
 }
 
 /// Oil between rolling element and cage pocket before they touch.
@@ -277,12 +267,9 @@ struct CageParameters {
 /// Cases of rollers at rest may state it too.
 inline auto guide_land_row(double& diameter) {
   using namespace described;
-  return field(diameter, "bearing.cage.guide_land_diameter", Physics::motion,
+  return field(diameter, "bearing.cage.guide_land_diameter",
                "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
-               {.models = with_rollers | balls_in_time,
-                .dimension = dimension::length,
-                .range = {0.0, 1e4},
-                .fmu = InFmu::parameter});
+               {.models = with_rollers | balls_in_time, .dimension = dimension::length, .range = {0.0, 1e4}});
 }
 
 template <class Visitor>
@@ -291,31 +278,23 @@ void describe(Visitor& visit, CageParameters& m) {
   constexpr Where land{"bearing.cage.guide_land_diameter"};
   members(
       visit, m,
-      field(m.pocket_clearance, "bearing.cage.pocket_clearance", Physics::motion,
+      field(m.pocket_clearance, "bearing.cage.pocket_clearance",
             "clearance of a roller in its pocket, in diametral measure",
-            {.models = in_time,
-             .dimension = dimension::length,
-             .range = positive(10.0),
-             .fmu = InFmu::parameter}),
-      field(m.pocket_stiffness, "bearing.cage.pocket_stiffness", Physics::motion, "stiffness of a cage bar",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::stiffness,
-             .range = positive(1e12),
-             .fmu = InFmu::parameter}),
-      field(m.pocket_damping, "bearing.cage.pocket_damping", Physics::motion,
+            {.models = in_time, .dimension = dimension::length, .range = positive(10.0)}),
+      field(m.pocket_stiffness, "bearing.cage.pocket_stiffness", "stiffness of a cage bar",
+            {.models = planetary_drivetrain, .dimension = dimension::stiffness, .range = positive(1e12)}),
+      field(m.pocket_damping, "bearing.cage.pocket_damping",
             "relative increase of a pocket load per approach speed",
             {.models = in_time,
              .dimension = dimension::inverse_speed,
              .range = {0.0, 100.0},
-             .reason = "polymer",
-             .fmu = InFmu::parameter}),
-      field(m.pocket_friction, "bearing.cage.pocket_friction", Physics::motion,
-            "friction coefficient of roller and bar",
-            {.models = in_time, .range = {0.0, 1.0}, .reason = "oiled polymer", .fmu = InFmu::parameter}),
-      field(m.pocket_film, "bearing.cage.pocket_film", Physics::motion,
+             .reason = "polymer"}),
+      field(m.pocket_friction, "bearing.cage.pocket_friction", "friction coefficient of roller and bar",
+            {.models = in_time, .range = {0.0, 1.0}, .reason = "oiled polymer"}),
+      field(m.pocket_film, "bearing.cage.pocket_film",
             "oil film between rolling element and cage pocket before contact",
             {.models = in_time, .reason = "pockets act when they are touched"}),
-      field(m.pocket_roughness, "bearing.cage.pocket_roughness", Physics::motion,
+      field(m.pocket_roughness, "bearing.cage.pocket_roughness",
             "roughness of rolling element and pocket, the least film between them",
             {.models = in_time,
              .dimension = dimension::small_length,
@@ -324,20 +303,14 @@ void describe(Visitor& visit, CageParameters& m) {
              .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
       guide_land_row(m.guide_diameter), internal(m.land_width, "bearing.cage.land_width"),
       internal(m.lands, "bearing.cage.lands"),
-      field(m.largest_eccentricity, "bearing.cage.largest_eccentricity", Physics::motion,
+      field(m.largest_eccentricity, "bearing.cage.largest_eccentricity",
             "share of the land's clearance where roughness carries",
             {.models = in_time,
              .range = {.least = 0.1, .most = 1.0, .most_allowed = false},
              .reason = "finish of the land",
-             .where = land,
-             .fmu = InFmu::parameter}),
-      field(m.touch_down_stiffness, "bearing.cage.touch_down_stiffness", Physics::motion,
-            "stiffness of cage on land",
-            {.models = in_time,
-             .dimension = dimension::stiffness,
-             .range = positive(1e12),
-             .where = land,
-             .fmu = InFmu::parameter}),
+             .where = land}),
+      field(m.touch_down_stiffness, "bearing.cage.touch_down_stiffness", "stiffness of cage on land",
+            {.models = in_time, .dimension = dimension::stiffness, .range = positive(1e12), .where = land}),
       internal(m.touch_down_damping, "bearing.cage.touch_down_damping"),
       internal(m.touch_down_friction, "bearing.cage.touch_down_friction"));
 }
@@ -353,14 +326,13 @@ void describe(Visitor& visit, NeighbourParameters& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.friction, "bearing.neighbour_friction", Physics::motion,
+      field(m.friction, "bearing.neighbour_friction",
             "friction coefficient of rollers that touch one another, of a full complement",
             {.models = planetary_drivetrain,
              .range = {0.0, 1.0},
              .reason = "boundary friction of steel in mineral oil with additives: both spin alike, so that "
                        "no oil is drawn in",
-             .where = {"bearing.complement", "full"},
-             .fmu = InFmu::parameter}));
+             .where = {"bearing.complement", "full"}}));
 }
 
 /// Oil-air mixture around the rollers. Assumption: it rests in the carrier frame, the upper bound of its
@@ -377,12 +349,11 @@ struct OilDragParameters {
 /// Rollers at rest have it too.
 inline auto oil_share_row(double& share) {
   using namespace described;
-  return field(share, "lubricant.share", Physics::motion, "oil in the free volume of the bearing",
+  return field(share, "lubricant.share", "oil in the free volume of the bearing",
                {.models = in_time | roller_bearing,
                 .range = {0.0, 1.0},
                 .reason = "oil mist with jets",
-                .where = {"drag.enabled", "true"},
-                .fmu = InFmu::parameter});
+                .where = {"drag.enabled", "true"}});
 }
 
 template <class Visitor>
@@ -390,15 +361,14 @@ void describe(Visitor& visit, OilDragParameters& m) {
   using namespace described;
   constexpr Where on{"drag.enabled", "true"};
   members(visit, m,
-          field(m.on, "drag.enabled", Physics::motion, "drag and churning in the oil-air mixture",
+          field(m.on, "drag.enabled", "drag and churning in the oil-air mixture",
                 {.models = in_time, .reason = "nothing left out"}),
-          field(m.oil_density, "lubricant.density", Physics::motion, "density of the oil",
+          field(m.oil_density, "lubricant.density", "density of the oil",
                 {.models = in_time,
                  .dimension = dimension::density,
                  .range = positive(20000.0),
                  .reason = "mineral oil",
-                 .where = on,
-                 .fmu = InFmu::parameter}),
+                 .where = on}),
           oil_share_row(m.oil_share), internal(m.drag_coefficient, "drag.coefficient"),
           internal(m.churning_coefficient, "drag.churning_coefficient"));
 }
@@ -413,18 +383,11 @@ template <class Visitor>
 void describe(Visitor& visit, SupportParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.stiffness, "support.stiffness", Physics::pin,
+          field(m.stiffness, "support.stiffness",
                 "radial stiffness of the pin in the carrier, for each bearing on it",
-                {.models = planetary_drivetrain,
-                 .dimension = dimension::stiffness,
-                 .range = positive(1e13),
-                 .fmu = InFmu::parameter}),
-          field(m.damping_ratio, "support.damping_ratio", Physics::motion,
-                "damping of planet and pin on the support",
-                {.models = planetary_drivetrain,
-                 .range = {0.0, 10.0},
-                 .reason = "bolted steel structure",
-                 .fmu = InFmu::parameter}));
+                {.models = planetary_drivetrain, .dimension = dimension::stiffness, .range = positive(1e13)}),
+          field(m.damping_ratio, "support.damping_ratio", "damping of planet and pin on the support",
+                {.models = planetary_drivetrain, .range = {0.0, 10.0}, .reason = "bolted steel structure"}));
 }
 
 /// Waves of an elastic outer race in motion.
@@ -473,7 +436,7 @@ void describe(Visitor& visit, Gravity& m) {
   using namespace described;
   constexpr Dimension acceleration{"acceleration", "m/s2", "m/s2", "9.81 m/s2"};
   members(visit, m,
-          field(m.across, "inertia.gravity", Physics::run,
+          field(m.across, "inertia.gravity",
                 "acceleration of gravity across the axis of the carrier, on rollers, cage, pin and planet in "
                 "motion; 0: without weight, as with a vertical axis",
                 {.models = planetary_drivetrain,
@@ -506,7 +469,7 @@ void describe(Visitor& visit, DynamicsParameters& m) {
           internal(
               m.bore_mass, "planet.mass_per_bearing",
               "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",
-              {.dimension = dimension::mass, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+              {.dimension = dimension::mass, .range = {.least = 0.0}}),
           part(m.inertia), part(m.gravity), part(m.cage), part(m.neighbours), apart(m.excitation),
           apart(m.driving));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mechanics/member_keys.hpp"
+
 namespace orbearing::analysis {
 
 namespace {
@@ -49,9 +51,11 @@ film::EllipticalContact ContactOfBodies::ellipse() const {
 }
 
 mechanics::Problems problems(const SpinFilm& machine) {
-  if (!std::holds_alternative<LineOfContact>(machine.contact.shape)) return {};
+  const auto* line = std::get_if<LineOfContact>(&machine.contact.shape);
+  if (line == nullptr) return {};
+  const mechanics::MemberKeys key(machine);
   if (machine.solver != film::FilmSolver::reynolds)
-    return {{"contact.length",
+    return {{key(line->length),
              "a line contact together with film.solver: regression; film.solver: reynolds is required: the "
              "regressions are for ellipses only"}};
   if (std::ranges::any_of(machine.points, [](const auto& point) { return point.spin != 0.0; }))

@@ -8,13 +8,16 @@
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/checks.hpp"
+#include "mechanics/append.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/member_keys.hpp"
 #include "mechanics/number_text.hpp"
 
 namespace orbearing::analysis {
 
 namespace {
 
+using mechanics::append;
 using mechanics::significant;
 using study::NamedSet;
 using study::PlanetaryDrivetrain;
@@ -90,14 +93,16 @@ std::vector<std::string> overturning_warnings(const std::vector<NamedSet>& sets)
 mechanics::Problems slope_warnings(const PlanetaryDrivetrain& drivetrain) {
   mechanics::Problems warnings;
   if (drivetrain.seats.tilt != study::TiltState::computed) return warnings;
-  const auto add = [&](const char* key, double slope) {
+  const gearset::FlankModifications& flanks = drivetrain.set.flanks;
+  const mechanics::MemberKeys key(flanks);
+  const auto add = [&](const double& slope) {
     if (slope != 0.0)
-      warnings.push_back({key,
+      warnings.push_back({key(slope),
                           "moves the force of the teeth along the face; its moment on a planet is not "
                           "modelled, so that the computed tilt is too small"});
   };
-  add("gearset.lead_slope.sun", drivetrain.set.flanks.sun_slope);
-  add("gearset.lead_slope.ring", drivetrain.set.flanks.ring_slope);
+  add(flanks.sun_slope);
+  add(flanks.ring_slope);
   return warnings;
 }
 
@@ -107,6 +112,9 @@ std::vector<std::string> planar_warnings() {
       "axes and aligned. Axial and tilting vibration is left out"};
 }
 
+namespace {
+
+// Sets that transmit no torque, of several.
 std::vector<std::string> idle_set_warnings(const gearset::Arrangement& arrangement) {
   std::vector<std::string> warnings;
   for (const std::size_t set : gearset::idle_sets(gearset::power_flow(arrangement)))
@@ -116,13 +124,28 @@ std::vector<std::string> idle_set_warnings(const gearset::Arrangement& arrangeme
   return warnings;
 }
 
-gearset::Warnings tooth_warnings(const gearset::PlanetarySet& set, const gearset::SecondPlanet& second,
-                                 const gearset::StatedGeometry& stated) {
-  if (second.present()) return gearset::pair_tooth_warnings(set, second);  // whose shifts are all stated
+gearset::Warnings tooth_warnings(const StatedSet& stated) {
+  const gearset::PlanetarySet set = with_bore(stated);
+  if (stated.second_planet.present())  // whose shifts are all stated
+    return gearset::pair_tooth_warnings(set, stated.second_planet);
   gearset::Warnings warnings = gearset::tooth_warnings(gearset::working_geometry(set));
-  for (gearset::Warning& warning : gearset::ring_sign_warnings(set, stated))
-    warnings.push_back(std::move(warning));
+  append(gearset::ring_sign_warnings(set, stated.geometry), warnings);
   return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> gear_warnings(const StatedDrivetrain& drivetrain) {
+  std::vector<std::string> texts;
+  if (drivetrain.is_single()) {
+    if (!drivetrain.single().has_teeth()) return texts;
+  } else {
+    texts = idle_set_warnings(arrangement_of(drivetrain));
+  }
+  for (const auto& [name, set] : drivetrain.sets)
+    for (const gearset::Warning& warning : tooth_warnings(set))
+      texts.push_back(set_prefix(name) + key_in_case(set, warning.key) + ": " + warning.text);
+  return texts;
 }
 
 std::vector<std::string> lamina_warnings(const std::vector<NamedSet>& sets) {

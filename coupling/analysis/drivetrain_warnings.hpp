@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/analysis/stated_drivetrain.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/set_keys.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -34,12 +35,8 @@ mechanics::Problems slope_warnings(const study::PlanetaryDrivetrain& drivetrain)
 /// Effects that the motion of helical gears leaves out.
 std::vector<std::string> planar_warnings();
 
-/// Sets that transmit no torque, of several.
-std::vector<std::string> idle_set_warnings(const gearset::Arrangement& arrangement);
-
-/// Teeth of one set, and the sign of its ring's shift.
-gearset::Warnings tooth_warnings(const gearset::PlanetarySet& set, const gearset::SecondPlanet& second,
-                                 const gearset::StatedGeometry& stated);
+/// Teeth of all sets, the signs of their rings' shifts, and sets that are idle.
+std::vector<std::string> gear_warnings(const StatedDrivetrain& drivetrain);
 
 /// Too few laminae to resolve a profile or a tilt; then fewer than ISO/TS 16281 requires for its lives.
 std::vector<std::string> lamina_warnings(const std::vector<study::NamedSet>& sets);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mechanics/member_keys.hpp"
+
 namespace orbearing::analysis {
 
 namespace duplex = bearing::duplex;
@@ -60,33 +62,38 @@ const PreloadedPair& preloaded(const DuplexPair& pair) {
 
 template <class Inputs>
 std::vector<mechanics::Conditional<Inputs>> conditions_of_pair() {
-  const std::string speed = "operation.shaft_speed", speeds = "operation.speeds";
-  const std::string inertia = "equilibrium.ball_inertia", arrangement = "arrangement";
+  const PreloadedPair pair;
+  const mechanics::MemberKeys key(pair);
+  const std::string &speed = key(pair.operation.shaft_speed), &speeds = key(pair.operation.speeds),
+                    &inertia = key(pair.ball_inertia.enabled), &arrangement = key(pair.arrangement);
   const auto rotates = [](const Inputs& in) { return preloaded(in).rotates(); };
   return {
       {.keys = {"linear."},
        .premises = {{.on = {arrangement, speed},
                      .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
-                     .text = "where arrangement is face-to-face or tandem, and operation.shaft_speed is 0"}}},
-      {.keys = {"equilibrium."}, .premises = {{.on = {speed, speeds}, .holds = rotates}}},
+                     .text = "where " + arrangement + " is face-to-face or tandem, and " + speed + " is 0"}}},
+      {.keys = key.within(pair.ball_inertia), .premises = {{.on = {speed, speeds}, .holds = rotates}}},
       {.keys = {"material.density"},
-       .premises = {{.on = {speed, speeds, inertia},
-                     .holds =
-                         [](const Inputs& in) {
-                           return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled;
-                         },
-                     .text = "together with operation.shaft_speed or operation.speeds, and where "
-                             "equilibrium.ball_inertia is true"}}}};
+       .premises = {
+           {.on = {speed, speeds, inertia},
+            .holds =
+                [](const Inputs& in) {
+                  return preloaded(in).rotates() && preloaded(in).ball_inertia.enabled;
+                },
+            .text = "together with " + speed + " or " + speeds + ", and where " + inertia + " is true"}}}};
 }
 
 }  // namespace
 
 std::vector<mechanics::Conditional<PreloadedPair>> PreloadedPair::conditions() {
   std::vector<mechanics::Conditional<PreloadedPair>> all = conditions_of_pair<PreloadedPair>();
-  all.push_back({.keys = {"operation.shaft_speed"},
-                 .premises = {{.on = {"equilibrium.ball_inertia"},
+  const PreloadedPair of;
+  const mechanics::MemberKeys key(of);
+  const std::string& inertia = key(of.ball_inertia.enabled);
+  all.push_back({.keys = {key(of.operation.shaft_speed)},
+                 .premises = {{.on = {inertia},
                                .holds = [](const PreloadedPair& pair) { return pair.ball_inertia.enabled; },
-                               .text = "where equilibrium.ball_inertia is true"}}});
+                               .text = "where " + inertia + " is true"}}});
   return all;
 }
 
@@ -97,12 +104,14 @@ std::vector<mechanics::Conditional<DuplexPair>> DuplexPair::conditions() {
 
 mechanics::Problems problems(const DuplexPair& machine) {
   const PreloadedPair& pair = machine.preloaded;
+  const mechanics::MemberKeys key(pair);
   mechanics::Problems found;
   if (!pair.is_linear()) return found;
   if (pair.operation.shaft_speed != 0.0 || !pair.operation.speeds.empty())
-    found.push_back({pair.operation.speeds.empty() ? "operation.shaft_speed" : "operation.speeds",
-                     "a rotating shaft together with stiffness: linear; nonlinear is required: the linear "
-                     "formulas include no speed"});
+    found.push_back(
+        {pair.operation.speeds.empty() ? key(pair.operation.shaft_speed) : key(pair.operation.speeds),
+         "a rotating shaft together with stiffness: linear; nonlinear is required: the linear "
+         "formulas include no speed"});
   if (pair.arrangement == duplex::Arrangement::back_to_back)
     found.push_back(
         {"stiffness",

@@ -8,6 +8,7 @@
 #include "coupling/diagnosis/signal_file.hpp"
 #include "mechanics/append.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/member_keys.hpp"
 #include "mechanics/no_result.hpp"
 #include "mechanics/number_text.hpp"
 
@@ -23,9 +24,11 @@ namespace {
 // Depths of a profile are those of a scratch.
 template <class Inputs>
 std::vector<mechanics::Conditional<Inputs>> conditions_of_scratch() {
+  const defect::Scratch scratch;
+  const mechanics::MemberKeys key(scratch);
   return {
-      {.keys = {"defect.profile"},
-       .premises = {{.on = {"defect.race"},
+      {.keys = {key(scratch.profile)},
+       .premises = {{.on = {key(scratch.race)},
                      .holds = [](const Inputs& in) { return in.of.scratch.race != defect::Scratched::none; },
                      .value = "outer|inner|ball|roller"}}}};
 }
@@ -42,7 +45,8 @@ std::vector<mechanics::Conditional<RingOnRollers>> RingOnRollers::conditions() {
 
 std::vector<mechanics::Conditional<ScratchedBallsInMotion>> ScratchedBallsInMotion::conditions() {
   auto all = conditions_of_scratch<ScratchedBallsInMotion>();
-  mechanics::append(conditions_of_ball_friction<ScratchedBallsInMotion>(), all);
+  const ScratchedBallsInMotion m;
+  mechanics::append(conditions_of_ball_friction(m, mechanics::MemberKeys(m)), all);
   return all;
 }
 
@@ -56,25 +60,26 @@ mechanics::Problems problems(const ScratchOfRollers& machine) {
 
 mechanics::Problems problems(const SampledRing& machine) {
   const study::Sampling& sampling = machine.sampling;
+  const mechanics::MemberKeys key(machine);
   mechanics::Problems found;
   if (!(machine.load.radial > 0.0))
-    found.push_back({"load.radial", "no load; a radial load greater than 0 N is required"});
+    found.push_back({key(machine.load.radial), "no load; a radial load greater than 0 N is required"});
   const double turns = std::abs(machine.rotation.shaft_speed) / constants::two_pi;  // [1/s]
   if (turns == 0.0) {
-    found.push_back({"operation.shaft_speed", "a stationary shaft; a speed is required"});
+    found.push_back({key(machine.rotation.shaft_speed), "a stationary shaft; a speed is required"});
     return found;
   }
   constexpr double most = 1e7;
   const double samples = sampling.rate / turns * (sampling.revolutions + sampling.settling_revolutions);
   if (samples > most)
-    found.push_back({"signal.sampling_rate", significant(samples, 3) +
-                                                 " samples in all; at most 1e+07, by a lower rate or fewer "
-                                                 "revolutions, are required"});
+    found.push_back({key(sampling.rate), significant(samples, 3) +
+                                             " samples in all; at most 1e+07, by a lower rate or fewer "
+                                             "revolutions, are required"});
   if (sampling.rate < 100.0 * turns)
-    found.push_back(
-        {"signal.sampling_rate", significant(sampling.rate, 6) + " Hz at " + significant(turns, 4) +
-                                     " revolutions a second; at least 100 samples a revolution, " +
-                                     significant(100.0 * turns, 4) + " Hz, are required"});
+    found.push_back({key(sampling.rate), mechanics::as_written(key(sampling.rate)) + " at " +
+                                             significant(turns, 4) +
+                                             " revolutions a second; at least 100 samples a revolution, " +
+                                             significant(100.0 * turns, 4) + " Hz, are required"});
   mechanics::append(problems(machine.band, sampling.rate), found);
   return found;
 }
@@ -94,10 +99,10 @@ mechanics::Problems rigid_ring_problems(const ScratchedInHousing& in) {
   constexpr double most = 1e6;  // [Hz]
   const double frequency = natural_frequency(in).value_or(0.0);
   if (!(frequency > most)) return {};
-  return {{"bearing.outer_ring_mass", significant(in.ring.mass, 6) + " kg, with which the ring vibrates at " +
-                                          significant(frequency, 3) +
-                                          " Hz on its contacts; a mass with at most " + significant(most, 7) +
-                                          " Hz is required: above this the ring is not rigid"}};
+  const std::string key = mechanics::MemberKeys(in.ring)(in.ring.mass);
+  return {{key, mechanics::as_written(key) + ", with which the ring vibrates at " +
+                    significant(frequency, 3) + " Hz on its contacts; a mass with at most " +
+                    significant(most, 7) + " Hz is required: above this the ring is not rigid"}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "coupling/analysis/friction_conditions.hpp"
 #include "coupling/analysis/single_bearing.hpp"
 #include "mechanics/append.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::analysis {
 
@@ -13,8 +14,13 @@ namespace {
 
 using mechanics::append;
 using mechanics::Conditional;
+template <class Inputs>
+using Keys = mechanics::MemberKeys<Inputs>;
 using mechanics::Otherwise;
 using mechanics::Premise;
+
+/// By which a case names a bearing of a catalogue: then the boundary dimensions are known.
+constexpr const char* designation_key = "bearing.designation";
 
 const RingRotation& rotation(const BallSupport& in) {
   return in.rotation;
@@ -35,86 +41,108 @@ bool is_at_rest(const Inputs& in) {
 
 // Rings that rotate against each other.
 template <class Inputs>
-Premise<Inputs> rings_rotate() {
-  return {.on = {"operation.shaft_speed", "operation.outer_speed"},
+Premise<Inputs> rings_rotate(const Inputs& m, const Keys<Inputs>& key) {
+  return {.on = {key(rotation(m).shaft_speed), key(rotation(m).outer_speed)},
           .holds = [](const Inputs& in) { return rotation(in).relative() != 0.0; }};
 }
 
 template <class Inputs>
-Premise<Inputs> oil_has_viscosity() {
-  return {.on = {"lubricant.grade", "lubricant.kinematic_viscosity"},
+Premise<Inputs> oil_has_viscosity(const Inputs& m, const Keys<Inputs>& key) {
+  return {.on = {key(m.loaded.oil.grade), key(m.loaded.oil.kinematic_viscosity)},
           .holds = [](const Inputs& in) { return in.loaded.oil.kinematic_viscosity.has_value(); }};
 }
 
 // a_1 is a result of any load at rest, and a part of the lives with an oil.
 template <class Inputs>
-Conditional<Inputs> reliability_with_oil() {
-  return {.keys = {"life.reliability"},
-          .premises = {{.on = {"lubricant.grade", "life.cleanliness", "life.contamination_factor",
-                               "life.viscosity_ratio", "lubricant.kinematic_viscosity"},
+Conditional<Inputs> reliability_with_oil(const Inputs& m, const Keys<Inputs>& key) {
+  const LifeInputs& life = m.loaded.life;
+  const BearingOil& oil = m.loaded.oil;
+  return {.keys = {key(life.reliability)},
+          .premises = {{.on = {key(oil.grade), key(life.cleanliness), key(life.contamination_factor),
+                               key(life.viscosity_ratio), key(oil.kinematic_viscosity)},
                         .holds = [](const Inputs& in) { return stated_oil(in.loaded).has_value(); }}}};
 }
 template <class Inputs>
-Conditional<Inputs> reliability_under_load() {
-  return {.keys = {"life.reliability"},
-          .premises = {{.on = {"load.radial", "load.axial", "load.moment", "load.moment_across"},
-                        .holds = [](const Inputs& in) {
-                          const bearing::equilibrium::RingLoad& load = in.loaded.load;
-                          return is_nonzero(load.radial) || is_nonzero(load.axial) ||
-                                 is_nonzero(load.moment) || is_nonzero(load.moment_across);
-                        }}}};
+Conditional<Inputs> reliability_under_load(const Inputs& m, const Keys<Inputs>& key) {
+  const bearing::equilibrium::RingLoad& of = m.loaded.load;
+  return {.keys = {key(m.loaded.life.reliability)},
+          .premises = {
+              {.on = key.of(of.radial, of.axial, of.moment, of.moment_across), .holds = [](const Inputs& in) {
+                 const bearing::equilibrium::RingLoad& load = in.loaded.load;
+                 return is_nonzero(load.radial) || is_nonzero(load.axial) || is_nonzero(load.moment) ||
+                        is_nonzero(load.moment_across);
+               }}}};
 }
 
 // For the contamination factor, which a film has.
 template <class Inputs>
-Conditional<Inputs> lubrication() {
-  return {.keys = {"life.lubrication"},
-          .premises = {{.on = {"life.contamination_factor"},
+Conditional<Inputs> lubrication(const Inputs& m, const Keys<Inputs>& key) {
+  const LifeInputs& life = m.loaded.life;
+  const BearingOil& oil = m.loaded.oil;
+  return {.keys = {key(life.lubrication)},
+          .premises = {{.on = {key(life.contamination_factor)},
                         .holds = [](const Inputs& in) { return !in.loaded.life.contamination_factor; },
-                        .text = "where life.contamination_factor is not given"},
-                       {.on = {"life.cleanliness", "lubricant.grade", "life.viscosity_ratio",
-                               "lubricant.kinematic_viscosity"},
+                        .text = "where " + key(life.contamination_factor) + " is not given"},
+                       {.on = {key(life.cleanliness), key(oil.grade), key(life.viscosity_ratio),
+                               key(oil.kinematic_viscosity)},
                         .holds = [](const Inputs& in) { return stated_oil(in.loaded).has_value(); }}}};
 }
 
 // An oil that is stated by a grade has a kinematic viscosity: for kappa, and for friction.
 template <class Inputs>
-std::vector<Conditional<Inputs>> conditions_of_grade(const std::vector<Premise<Inputs>>& friction) {
-  const std::vector<std::string> keys{"lubricant.grade", "lubricant.temperature"};
+std::vector<Conditional<Inputs>> conditions_of_grade(const Inputs& m, const Keys<Inputs>& key,
+                                                     const std::vector<Premise<Inputs>>& friction) {
+  const std::vector<std::string> keys{key(m.loaded.oil.grade), key(m.loaded.oil.temperature)};
+  const std::string& ratio = key(m.loaded.life.viscosity_ratio);
   return {{.keys = keys,
-           .premises = {{.on = {"life.viscosity_ratio"},
+           .premises = {{.on = {ratio},
                          .holds = [](const Inputs& in) { return !in.loaded.life.viscosity_ratio; },
-                         .text = "where life.viscosity_ratio is not given"}},
+                         .text = "where " + ratio + " is not given"}},
            .otherwise = Otherwise::not_modelled},
           {.keys = keys, .premises = friction, .otherwise = Otherwise::not_modelled}};
 }
 
 template <class Inputs>
-Premise<Inputs> balls_move() {
-  return {.on = {"operation.shaft_speed", "operation.outer_speed", "operation.speeds"},
+Premise<Inputs> balls_move(const Inputs& m, const Keys<Inputs>& key) {
+  return {.on = {key(rotation(m).shaft_speed), key(rotation(m).outer_speed), key(m.speeds)},
           .holds = [](const Inputs& in) { return !is_at_rest(in); }};
 }
 template <class Inputs>
-Premise<Inputs> balls_have_inertia() {
-  return {.on = {"equilibrium.ball_inertia"},
+Premise<Inputs> balls_have_inertia(const Inputs& m, const Keys<Inputs>& key) {
+  return {.on = {key(m.balls.inertia.enabled)},
           .holds = [](const Inputs& in) { return in.balls.inertia.enabled; },
           .value = "true"};
 }
 template <class Inputs>
-Premise<Inputs> film_takes_part() {
-  return {.on = {"film.enabled"}, .holds = [](const Inputs& in) { return in.balls.film; }, .value = "true"};
+Premise<Inputs> film_takes_part(const Inputs& m, const Keys<Inputs>& key) {
+  return {
+      .on = {key(m.balls.film)}, .holds = [](const Inputs& in) { return in.balls.film; }, .value = "true"};
+}
+
+const BearingOil& oil_of(const BallSupport& in) {
+  return in.oil;
+}
+const BearingOil& oil_of(const BallsUnderLoad& in) {
+  return in.loaded.oil;
+}
+const bearing::Bearing& bearing_of(const BallSupport& in) {
+  return in.bearing;
+}
+const bearing::Bearing& bearing_of(const BallsUnderLoad& in) {
+  return in.loaded.bearing;
 }
 
 // The balls in static equilibrium.
 template <class Inputs>
-std::vector<Conditional<Inputs>> conditions_of_balls() {
-  return {{.keys = {"film.enabled", "equilibrium."}, .premises = {balls_move<Inputs>()}},
-          {.keys = {"material.density"},
-           .premises = {balls_move<Inputs>(), balls_have_inertia<Inputs>()},
+std::vector<Conditional<Inputs>> conditions_of_balls(const Inputs& m, const Keys<Inputs>& key) {
+  const BearingOil& oil = oil_of(m);
+  return {{.keys = key.within(m.balls), .premises = {balls_move(m, key)}},
+          {.keys = {key(bearing_of(m).material.density)},
+           .premises = {balls_move(m, key), balls_have_inertia(m, key)},
            .otherwise = Otherwise::not_modelled},
-          {.keys = {"lubricant.viscosity", "lubricant.pressure_viscosity", "lubricant.grade",
-                    "lubricant.temperature"},
-           .premises = {film_takes_part<Inputs>()},
+          {.keys = {key(oil.lubricant.viscosity), key(oil.lubricant.pressure_viscosity), key(oil.grade),
+                    key(oil.temperature)},
+           .premises = {film_takes_part(m, key)},
            .otherwise = Otherwise::not_modelled}};
 }
 
@@ -122,54 +150,62 @@ std::vector<Conditional<Inputs>> conditions_of_balls() {
 
 std::vector<Conditional<RollersUnderLoad>> RollersUnderLoad::conditions() {
   using In = RollersUnderLoad;
-  const std::vector<Premise<In>> friction{oil_has_viscosity<In>(), rings_rotate<In>()};
+  const In m;
+  const Keys<In> key(m);
+  const bearing::Bearing& of = m.loaded.bearing;
+  const std::vector<Premise<In>> friction{oil_has_viscosity(m, key), rings_rotate(m, key)};
+  std::vector<std::string> of_friction = key.within(m.oil);
+  append({key(of.inner.seat_diameter), key(of.outer.seat_diameter), key(of.width), key(of.material.density)},
+         of_friction);
   std::vector<Conditional<In>> all{
-      {.keys = {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density", "heat.",
-                "lubricant.flow", "lubricant.share", "traction.starvation"},
-       .premises = friction,
-       .otherwise = Otherwise::not_modelled},
-      {.keys = {"life.stress_riser"},  // with the least number both are one formula
-       .premises = {{.on = {"bearing.laminae"},
+      {.keys = of_friction, .premises = friction, .otherwise = Otherwise::not_modelled},
+      {.keys = {key(m.life.stress_riser)},  // with the least number both are one formula
+       .premises = {{.on = {key(of.rollers().laminae)},
                      .holds =
                          [](const In& in) {
                            return in.loaded.bearing.rollers().laminae != rating::kLeastRatedLaminae;
                          },
-                     .text = "where bearing.laminae is not 30"}}},
-      reliability_with_oil<In>(),
-      reliability_under_load<In>(),
-      lubrication<In>()};
-  append(conditions_of_grade<In>({rings_rotate<In>()}), all);
+                     .text = "where " + key(of.rollers().laminae) + " is not 30"}}},
+      reliability_with_oil(m, key),
+      reliability_under_load(m, key),
+      lubrication(m, key)};
+  append(conditions_of_grade(m, key, {rings_rotate(m, key)}), all);
   return all;
 }
 
 std::vector<Conditional<BallsUnderLoad>> BallsUnderLoad::conditions() {
   using In = BallsUnderLoad;
-  const Premise<In> sized{.on = {"bearing.designation"},
+  const In m;
+  const Keys<In> key(m);
+  const Premise<In> sized{.on = {designation_key},
                           .holds = [](const In& in) { return in.loaded.size.has_value(); }};
-  std::vector<Conditional<In>> all = conditions_of_balls<In>();
-  append({{.keys = {"material.density"},
-           .premises = {oil_has_viscosity<In>(), rings_rotate<In>(), sized},
+  std::vector<Conditional<In>> all = conditions_of_balls(m, key);
+  append({{.keys = {key(m.loaded.bearing.material.density)},
+           .premises = {oil_has_viscosity(m, key), rings_rotate(m, key), sized},
            .otherwise = Otherwise::not_modelled},
-          reliability_with_oil<In>(),
-          reliability_under_load<In>(),
-          lubrication<In>()},
+          reliability_with_oil(m, key),
+          reliability_under_load(m, key),
+          lubrication(m, key)},
          all);
-  append(conditions_of_grade<In>({rings_rotate<In>(), sized}), all);
+  append(conditions_of_grade(m, key, {rings_rotate(m, key), sized}), all);
   return all;
 }
 
 std::vector<Conditional<BallSupport>> BallSupport::conditions() {
   using In = BallSupport;
-  std::vector<Conditional<In>> all = conditions_of_balls<In>();
-  append({{.keys = {"operation.shaft_speed"},
-           .premises = {{.on = {"operation.speeds"},
+  const In m;
+  const Keys<In> key(m);
+  const std::string &inertia = key(m.balls.inertia.enabled), &film = key(m.balls.film);
+  std::vector<Conditional<In>> all = conditions_of_balls(m, key);
+  append({{.keys = {key(m.rotation.shaft_speed)},
+           .premises = {{.on = {key(m.speeds)},
                          .holds = [](const In& in) { return in.speeds.empty(); },
-                         .text = "where operation.speeds is not given"}},
+                         .text = "where " + key(m.speeds) + " is not given"}},
            .otherwise = Otherwise::not_modelled},
-          {.keys = {"operation.outer_speed"},
-           .premises = {{.on = {"equilibrium.ball_inertia", "film.enabled"},
+          {.keys = {key(m.rotation.outer_speed)},
+           .premises = {{.on = {inertia, film},
                          .holds = [](const In& in) { return in.balls.inertia.enabled || in.balls.film; },
-                         .text = "where equilibrium.ball_inertia or film.enabled is true"}},
+                         .text = "where " + inertia + " or " + film + " is true"}},
            .otherwise = Otherwise::not_modelled}},
          all);
   return all;
@@ -179,57 +215,62 @@ namespace {
 
 namespace motion = bearing::motion;
 
-Premise<BallsInTime> oil_is_stirred() {
-  return {.on = {"drag.enabled"},
+using KeysInTime = Keys<BallsInTime>;
+
+Premise<BallsInTime> oil_is_stirred(const BallsInTime& m, const KeysInTime& key) {
+  return {.on = {key(moving_balls(m).drag.on)},
           .holds = [](const BallsInTime& in) { return moving_balls(in).drag.on; },
           .value = "true"};
 }
-Premise<BallsInTime> is_heated() {
-  return {.on = {"heat.enabled"},
+Premise<BallsInTime> is_heated(const BallsInTime& m, const KeysInTime& key) {
+  return {.on = {key(m.simulation.heat.on)},
           .holds = [](const BallsInTime& in) { return in.simulation.heat.on; },
           .value = "true"};
 }
 
-std::vector<Conditional<BallsInTime>> conditions_of_oil_flow() {
+std::vector<Conditional<BallsInTime>> conditions_of_oil_flow(const BallsInTime& m, const KeysInTime& key) {
   using In = BallsInTime;
   using namespace bearing::balls;
+  const MixtureParameters& mixture = moving_balls(m).mixture;
+  const std::string &fill = key(mixture.fill), &flow = key(mixture.flow);
   return {
-      {.keys = {"lubricant.share"},
-       .premises = {{.on = {"lubricant.fill"},
+      {.keys = {key(moving_balls(m).drag.oil_share)},
+       .premises = {{.on = {fill},
                      .holds = [](const In& in) { return moving_balls(in).mixture.fill == OilFill::stated; },
-                     .text = "where lubricant.fill is stated"}}},
-      {.keys = {"lubricant.flow"},
-       .premises = {{.on = {"drag.mixture"},
+                     .text = "where " + fill + " is stated"}}},
+      {.keys = {flow},
+       .premises = {{.on = {key(mixture.motion)},
                      .holds =
                          [](const In& in) { return moving_balls(in).mixture.motion == OilMotion::carried; },
                      .value = "carried"},
-                    oil_is_stirred()}},
-      {.keys = {"lubricant.flow"},
-       .premises = {{.on = {"lubricant.fill"},
+                    oil_is_stirred(m, key)}},
+      {.keys = {flow},
+       .premises = {{.on = {fill},
                      .holds = [](const In& in) { return moving_balls(in).mixture.fill == OilFill::parker; },
                      .value = "parker"},
-                    oil_is_stirred()}},
-      {.keys = {"lubricant.flow"}, .premises = {is_heated()}}};
+                    oil_is_stirred(m, key)}},
+      {.keys = {flow}, .premises = {is_heated(m, key)}}};
 }
 
-std::vector<Conditional<BallsInTime>> conditions_of_heat() {
+std::vector<Conditional<BallsInTime>> conditions_of_heat(const BallsInTime& m, const KeysInTime& key) {
   using In = BallsInTime;
+  const system::HeatParameters& heat = m.simulation.heat;
+  const bearing::Bearing& of = m.loaded.bearing;
   return {
-      {.keys = {"heat.inlet"},
-       .premises = {{.on = {"lubricant.flow"},
+      {.keys = {key(heat.inlet)},
+       .premises = {{.on = {key(moving_balls(m).mixture.flow)},
                      .holds = [](const In& in) { return moving_balls(in).mixture.flow > 0.0; }}}},
-      {.keys = {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
-                "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
-                "heat.expansion", "heat.sizes_temperature"},
-       .premises = {{.on = {"heat.model"},
+      {.keys = {key(heat.surroundings), key(heat.contact), key(heat.to_oil), key(heat.fit), key(heat.housing),
+                key(heat.shaft), key(heat.expansion), key(heat.sizes_at)},
+       .premises = {{.on = {key(heat.model)},
                      .holds =
                          [](const In& in) { return in.simulation.heat.model == system::HeatModel::network; },
                      .value = "network"}}},
-      {.keys = {"bearing.outside_diameter"},  // of a ring that has a mass to be heated
-       .premises = {is_heated()},
+      {.keys = {key(of.outer.seat_diameter)},  // of a ring that has a mass to be heated
+       .premises = {is_heated(m, key)},
        .otherwise = Otherwise::not_modelled},
-      {.keys = {"bearing.outside_diameter"},
-       .premises = {{.on = {"bearing.designation", "bearing.bore"},
+      {.keys = {key(of.outer.seat_diameter)},
+       .premises = {{.on = {designation_key, key(of.inner.seat_diameter)},
                      .holds = [](const In& in) { return in.loaded.bearing.inner.seat_diameter > 0.0; }}},
        .otherwise = Otherwise::not_modelled}};
 }
@@ -237,10 +278,12 @@ std::vector<Conditional<BallsInTime>> conditions_of_heat() {
 }  // namespace
 
 std::vector<Conditional<BallsInTime>> BallsInTime::conditions() {
-  std::vector<Conditional<BallsInTime>> all = conditions_of_ball_friction<BallsInTime>();
-  append(conditions_of_oil_flow(), all);
-  append(conditions_of_heat(), all);
-  append({reliability_with_oil<BallsInTime>(), lubrication<BallsInTime>()}, all);
+  const BallsInTime m;
+  const KeysInTime key(m);
+  std::vector<Conditional<BallsInTime>> all = conditions_of_ball_friction(m, key);
+  append(conditions_of_oil_flow(m, key), all);
+  append(conditions_of_heat(m, key), all);
+  append({reliability_with_oil(m, key), lubrication(m, key)}, all);
   return all;
 }
 

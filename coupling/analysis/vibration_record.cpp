@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/constants.hpp"
+#include "mechanics/member_keys.hpp"
 #include "mechanics/number_text.hpp"
 
 namespace orbearing::analysis {
@@ -20,7 +21,7 @@ mechanics::Problems problems(const EnvelopeBand& band, double rate) {
   const std::string found = ends.size() == 2
                                 ? significant(ends[0], 6) + " to " + significant(ends[1], 6) + " Hz"
                                 : "a list of " + std::to_string(ends.size());
-  return {{"signal.band",
+  return {{mechanics::MemberKeys(band)(band.ends),
            found + "; its lower and upper end, at most " + significant(highest, 4) + " Hz, are required"}};
 }
 
@@ -35,26 +36,28 @@ bool has_profile(const bearing::defect::Scratch& scratch) {
 mechanics::Problems problems(const bearing::defect::Scratch& scratch, bool rollers, double element_diameter) {
   const std::string element = rollers ? "roller" : "ball",
                     race = std::string(described::text_of(scratch.race));
+  const mechanics::MemberKeys key(scratch);
   mechanics::Problems found;
   if (scratch.race == (rollers ? Scratched::ball : Scratched::roller))
-    found.push_back({"defect.race", "'" + race + "' in a bearing of " + element + "s; outer, inner, " +
-                                        element + " or none is required"});
+    found.push_back({key(scratch.race), "'" + race + "' in a bearing of " + element + "s; outer, inner, " +
+                                            element + " or none is required"});
   if (scratch.race == Scratched::none) return found;
   if (!has_profile(scratch))
-    found.push_back({"defect.form",
-                     "'profile' without three depths in defect.profile; at least three, at equal distances "
-                     "from edge to edge, are required"});
-  for (const auto& [key, value] : {std::pair{"width", scratch.width}, {"depth", scratch.depth}})
-    if (!(value > 0.0))
-      found.push_back({"defect.race", "'" + race + "' without defect." + key +
-                                          "; width and depth of the scratch, or none, are required"});
+    found.push_back({key(scratch.form), "'profile' without three depths in " + key(scratch.profile) +
+                                            "; at least three, at equal distances "
+                                            "from edge to edge, are required"});
+  for (const double* size : {&scratch.width, &scratch.depth})
+    if (!(*size > 0.0))
+      found.push_back({key(scratch.race), "'" + race + "' without " + key(*size) +
+                                              "; width and depth of the scratch, or none, are required"});
   // In a wider scratch an element would reach a depth without contact, which eq. 4 does not cover; two
   // elements share no scratch.
   const double widest = 0.5 * element_diameter;
   if (element_diameter > 0.0 && scratch.width > widest)
-    found.push_back({"defect.width", significant(1e3 * scratch.width, 6) + " mm for " + element +
-                                         "s that enter between its edges; at most half a " + element +
-                                         " diameter, " + significant(1e3 * widest, 4) + " mm, is required"});
+    found.push_back({key(scratch.width), mechanics::as_written(key(scratch.width)) + " for " + element +
+                                             "s that enter between its edges; at most half a " + element +
+                                             " diameter, " + significant(1e3 * widest, 4) +
+                                             " mm, is required"});
   return found;
 }
 

@@ -141,9 +141,9 @@ void require_allowed(const FieldFacts& facts, double value) {
     refuse(required(facts));
 }
 
-double NumberReader::single(const described::Facts& facts, const std::vector<double>& values, double none) {
-  if (facts.details.fmu != described::InFmu::resource)
-    require_allowed(field_facts(facts, none), values.empty() ? 0.0 : values[0]);
+double NumberReader::single(const described::Facts& facts, const std::vector<double>& values, double none,
+                            bool shown) {
+  if (shown) require_allowed(field_facts(facts, none), values.empty() ? 0.0 : values[0]);
   if (values.size() != 1)
     throw std::invalid_argument(facts.path + ": found " + std::to_string(values.size()) +
                                 " numbers; required: 1");

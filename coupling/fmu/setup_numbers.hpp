@@ -11,6 +11,7 @@
 #include "bearing/parameters.hpp"
 #include "bearing/profile/profile.hpp"
 #include "coupling/fmu/number_table.hpp"
+#include "coupling/fmu/shown_members.hpp"
 #include "gearset/mesh/loaded/loaded_teeth.hpp"
 #include "gearset/mesh/periodic_curve.hpp"
 #include "mechanics/described.hpp"
@@ -73,19 +74,22 @@ class NumberWriter {
 /// missing or make no sense.
 class NumberReader {
  public:
-  explicit NumberReader(const NumberTable& numbers) : numbers_(numbers) {}
+  NumberReader(const NumberTable& numbers, const ShownMembers& shown) : numbers_(numbers), shown_(shown) {}
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
     const std::vector<double>& values = numbers_.at(facts.path);
     if constexpr (is_single<Member>)
-      put(member, single(facts, values, static_cast<double>(member)));
+      put(member, single(facts, values, static_cast<double>(member),
+                         shown_.parameters.hold(&member) || shown_.constants.hold(&member)));
     else
       from_numbers(values, member);
   }
 
  private:
-  static double single(const described::Facts& facts, const std::vector<double>& values, double none);
+  /// @param shown then it has to be allowed
+  static double single(const described::Facts& facts, const std::vector<double>& values, double none,
+                       bool shown);
   template <class Value>
   static void put(Value& into, double value) {
     into = static_cast<Value>(value);
@@ -93,6 +97,7 @@ class NumberReader {
   static void put(bool& into, double value) { into = value != 0.0; }
 
   const NumberTable& numbers_;
+  const ShownMembers& shown_;
 };
 
 /// A value that the user may set before the run, or a constant.
@@ -101,20 +106,25 @@ struct ShownField {
   double start = 0.0;  // [unit of the facts]
 };
 
-/// A visitor of rows: parameters and constants among them.
+/// Parameters and constants among the rows.
 struct ShownFields {
+  std::vector<ShownField> parameters;
+  std::vector<ShownField> constants;
+};
+
+/// A visitor of rows that finds them.
+struct ShownFinder {
   template <class Member>
   void operator()(const Member& member, const described::Facts& facts) {
     if constexpr (is_single<Member>) {
-      const described::InFmu use = facts.details.fmu;
-      if (use == described::InFmu::resource) return;
-      (use == described::InFmu::parameter ? parameters : constants)
-          .push_back({field_facts(facts, static_cast<double>(member)), static_cast<double>(member)});
+      const ShownField field{field_facts(facts, static_cast<double>(member)), static_cast<double>(member)};
+      if (shown.parameters.hold(&member)) fields.parameters.push_back(field);
+      if (shown.constants.hold(&member)) fields.constants.push_back(field);
     }
   }
 
-  std::vector<ShownField> parameters;
-  std::vector<ShownField> constants;
+  const ShownMembers& shown;
+  ShownFields fields{};
 };
 
 template <class Setup>
@@ -129,19 +139,21 @@ NumberTable numbers_of_setup(std::string model, Setup setup) {
 template <class Setup>
 Setup setup_from(const NumberTable& numbers) {
   Setup setup;
-  NumberReader visit(numbers);
+  const ShownMembers shown = shown_members(setup);
+  NumberReader visit(numbers, shown);
   describe(visit, setup);
   return setup;
 }
 
 template <class Setup>
 ShownFields shown_fields(Setup setup) {
-  ShownFields shown, none;
+  const ShownMembers members = shown_members(setup);
+  ShownFinder shown{members}, none{members};
   describe(shown, setup);
   describe(none, setup = {});
-  for (std::size_t i = 0; i < shown.parameters.size(); ++i)
-    shown.parameters[i].facts.none = none.parameters[i].start;
-  return shown;
+  for (std::size_t i = 0; i < shown.fields.parameters.size(); ++i)
+    shown.fields.parameters[i].facts.none = none.fields.parameters[i].start;
+  return std::move(shown.fields);
 }
 
 }  // namespace orbearing::fmu

@@ -44,13 +44,13 @@ template <class Visitor>
 void describe(Visitor& visit, RunUp& m) {
   using namespace described;
   members(visit, m,
-          field(m.acceleration, "input.acceleration", Physics::run_up,
+          field(m.acceleration, "input.acceleration",
                 "growth of the input speed at constant power, for a single dynamic run",
                 {.models = planetary_drivetrain,
                  .dimension = dimension::angular_acceleration,
                  .range = {-1e9, 1e9},
                  .reason = "steady speeds"}),
-          field(m.duration, "simulation.run_up_time", Physics::run_up, "time of the run-up",
+          field(m.duration, "simulation.run_up_time", "time of the run-up",
                 {.models = planetary_drivetrain,
                  .dimension = dimension::time,
                  .range = positive(1e4),
@@ -75,11 +75,11 @@ void describe(Visitor& visit, Misalignment& m) {
   members(
       visit, m,
       field(
-          m.planet_tilt, "bearing.misalignment.planet_tilt", Physics::life,
+          m.planet_tilt, "bearing.misalignment.planet_tilt",
           "tilt of the planet on its pin, in the plane of the load on its bearing; positive: the bore leans "
           "towards the load at its positive end",
           angle),
-      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up", Physics::life,
+      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up",
             "tilt of the bore against the pin in the tangential plane, by the twist of the carrier; "
             "positive: the "
             "bore leads at its positive end",
@@ -126,7 +126,7 @@ void describe(Visitor& visit, PinSeats& m) {
   using namespace described;
   const Where computed{"bearing.tilt_state", "computed"};
   const auto inclination = [&](double& member, const std::string& direction, const std::string& sense) {
-    return field(member, "support.pin_inclination." + direction, Physics::at_rest,
+    return field(member, "support.pin_inclination." + direction,
                  "inclination of the unloaded pin against the gears' axes, " + sense,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::angle,
@@ -135,32 +135,32 @@ void describe(Visitor& visit, PinSeats& m) {
   };
   members(
       visit, m,
-      field(m.tilt, "bearing.tilt_state", Physics::at_rest,
+      field(m.tilt, "bearing.tilt_state",
             "tilt of the planet on its pin: stated by bearing.misalignment, or computed from all its "
             "bearings, the "
             "pin and the meshes",
             {.models = planetary_drivetrain, .reason = "as published models have it"}),
-      field(m.axial_positions, "bearing.axial_places", Physics::at_rest,
+      field(m.axial_positions, "bearing.axial_places",
             "axial positions of the bearings of a planet, from the middle of the face; equally spaced if "
             "absent",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = {-1e4, 1e4},
              .where = computed}),
-      field(m.clearance_differences, "bearing.clearance_differences", Physics::at_rest,
+      field(m.clearance_differences, "bearing.clearance_differences",
             "clearance of each bearing of a planet minus the stated clearance",
             {.models = planetary_drivetrain,
              .dimension = dimension::small_length,
              .range = {-1000.0, 1000.0},
              .where = computed}),
       field(
-          m.ends, "support.pin_ends", Physics::at_rest,
+          m.ends, "support.pin_ends",
           "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
           "negative end; flexpin: clamped so, with the bearings on a rigid sleeve that its free end carries",
           {.models = planetary_drivetrain,
            .reason = "planets between two walls of the carrier",
            .where = computed}),
-      field(m.span, "support.pin_span", Physics::at_rest,
+      field(m.span, "support.pin_span",
             "length of the pin between the middles of both walls; held at one end, twice that from the wall "
             "to the "
             "middle of the face; of a flexpin from the wall to where it carries its sleeve",
@@ -168,13 +168,13 @@ void describe(Visitor& visit, PinSeats& m) {
              .dimension = dimension::length,
              .range = positive(1e4),
              .where = computed}),
-      field(m.diameter, "support.pin_diameter", Physics::at_rest,
+      field(m.diameter, "support.pin_diameter",
             "diameter of the pin of a flexpin, within the sleeve on which the bearings sit",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = positive(1e4),
              .where = {"support.pin_ends", "flexpin"}}),
-      field(m.carrier_twist, "support.carrier_twist_stiffness", Physics::at_rest,
+      field(m.carrier_twist, "support.carrier_twist_stiffness",
             "torsional stiffness of the carrier between its wall at the positive end and the wall at the "
             "negative end, which transmits the torque; rigid if absent",
             {.models = planetary_drivetrain,
@@ -240,22 +240,21 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   members(
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), apart(m.of_pair), part(m.bearing),
       part(m.mounting), part(m.rows),
-      field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier,
-            "bearings side by side in a planet",
+      field(m.bearings_per_planet, "bearing.per_planet", "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
-      field(m.rim, "gearset.planet_rim", Physics::carrier,
+      field(m.rim, "gearset.planet_rim",
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
             "teeth",
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
       system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.carrier_mounting), apart(m.rated),
-      field(m.mesh_variation, "gearset.mesh_variation", Physics::gear_motion,
+      field(m.mesh_variation, "gearset.mesh_variation",
             "the mesh stiffness varies over the mesh period and excites gears and planet bearings; false: "
             "constant mean stiffness",
             {.models = planetary_drivetrain,
              .reason = "nothing left out; several sets always give mean forces"}),
-      field(m.cage_positions, "numerics.cage_positions", Physics::at_rest,
+      field(m.cage_positions, "numerics.cage_positions",
             "number of positions of the roller set over one roller pitch for the mean",
             {.models = planetary_drivetrain,
              .range = {1, 10000},

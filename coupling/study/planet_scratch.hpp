@@ -34,13 +34,13 @@ template <class Visitor>
 void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
   members(visit, m, sampling_rate_row(m.rate),
-          field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
+          field(m.revolutions, "signal.carrier_revolutions",
                 "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
                 {.models = planetary_drivetrain,
                  .range = positive(1e4),
                  .reason = "side bands of the carrier sixteen lines apart",
                  .numerical = true}),
-          field(m.settling_revolutions, "signal.carrier_settling", Physics::defect,
+          field(m.settling_revolutions, "signal.carrier_settling",
                 "revolutions of the carrier before sampling, in which the start transient decays",
                 {.models = planetary_drivetrain,
                  .range = {0.0, 1e4},
@@ -90,13 +90,13 @@ void describe(Visitor& visit, ScratchedPosition& m) {
   members(
       visit, m,
       field(
-          m.planet, "defect.planet", Physics::defect, "number of the planet with the scratched bearing",
+          m.planet, "defect.planet", "number of the planet with the scratched bearing",
           {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
-      field(m.bearing, "defect.bearing", Physics::defect, "number of the scratched bearing of that planet",
+      field(m.bearing, "defect.bearing", "number of the scratched bearing of that planet",
             {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
-      field(m.also, "defect.also", Physics::defect, "further part with a scratch like that of defect.race",
+      field(m.also, "defect.also", "further part with a scratch like that of defect.race",
             {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
-      field(m.also_angle, "defect.also_angle", Physics::defect, "angle of that scratch, as defect.angle",
+      field(m.also_angle, "defect.also_angle", "angle of that scratch, as defect.angle",
             {.models = planetary_drivetrain,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},

@@ -7,7 +7,7 @@ namespace orbearing::study {
 
 inline auto sampling_rate_row(double& rate) {
   using namespace described;
-  return field(rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
+  return field(rate, "signal.sampling_rate", "sampling rate of the vibration",
                {.models = scratched_bearings,
                 .dimension = dimension::frequency,
                 .range = {1e-3, 1e5},
@@ -18,7 +18,7 @@ inline auto sampling_rate_row(double& rate) {
 inline auto run_up_row(double& from) {
   using namespace described;
   return field(
-      from, "signal.run_up_from", Physics::defect,
+      from, "signal.run_up_from",
       "speed at the start as a share of the speed, with a linear run-up; spectra are then over orders of the "
       "shaft, in a gear set of the carrier",
       {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"});

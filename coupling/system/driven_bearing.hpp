@@ -40,22 +40,21 @@ struct DrivenBearingSetup {
 /// Also used for a drivetrain.
 inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
-  return field(reduction_factor, "life.reduction_factor", Physics::life,
+  return field(reduction_factor, "life.reduction_factor",
                "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
                {.models = with_rollers,
                 .range = positive(1.0),
-                .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1",
-                .fmu = InFmu::parameter});
+                .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1"});
 }
 
 /// All data besides its inputs on which a bearing's future depends, in the order of an FMU's model.
 template <class Visitor>
 void describe(Visitor& visit, DrivenBearingSetup& m) {
   using namespace described;
-  const Details angle{.dimension = dimension::angle, .fmu = InFmu::parameter};
+  const Details angle{.dimension = dimension::angle};
   members(visit, m, part(m.bearing), part(m.dynamics),
           internal(m.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
-                   {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+                   {.dimension = dimension::length, .range = {.least = 0.0}}),
           internal(m.first_roller, "first_roller", "angle of the first roller at the start", angle),
           together(
               internal(
@@ -68,9 +67,9 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
           together(internal(m.start_load.x(), "start_load.x",
                             "load of the planet on the bearing at the start, outward: without "
                             "planet.displacement, it begins in static equilibrium under this load",
-                            {.dimension = dimension::force, .fmu = InFmu::parameter}),
+                            {.dimension = dimension::force}),
                    internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
-                            {.dimension = dimension::force, .fmu = InFmu::parameter})),
+                            {.dimension = dimension::force})),
           apart(m.outer_race), reduction_factor_row(m.reduction_factor),
           system::length_error_row(m.allowed_length_error), internal(m.bins, "simulation.bins"),
           internal(m.most_steps, "simulation.most_steps"), internal(m.planet_speed, "operation.planet_speed"),

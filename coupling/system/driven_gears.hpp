@@ -27,8 +27,7 @@ void describe(Visitor& visit, DrivenGearsSetup& m) {
   using namespace described;
   members(visit, m, part(m.set), part(m.operation),
           internal(m.allowed_share, "simulation.error_share",
-                   "allowed error of one internal step over the mean mesh deflection",
-                   {.range = positive(), .fmu = InFmu::parameter}),
+                   "allowed error of one internal step over the mean mesh deflection", {.range = positive()}),
           internal(m.most_steps, "simulation.most_steps"), internal(m.start_force, "operation.planet_force"));
 }
 

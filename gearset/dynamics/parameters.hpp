@@ -29,16 +29,14 @@ inline described::Details described_mass() {
   return {.models = planetary_drivetrain,
           .required_by = toothless_set,
           .dimension = dimension::mass,
-          .range = positive(1e6),
-          .fmu = InFmu::parameter};
+          .range = positive(1e6)};
 }
 inline described::Details described_stiffness(std::string_view reason) {
   using namespace described;
   return {.models = planetary_drivetrain,
           .dimension = dimension::stiffness,
           .range = {0.0, 1e13},
-          .reason = reason,
-          .fmu = InFmu::parameter};
+          .reason = reason};
 }
 /// Only what a case may leave out is optional.
 template <class Member>
@@ -48,12 +46,12 @@ std::string if_absent(const std::string& what) {
 template <class Member>
 described::Row<Member> mass_row(Member& mass, const std::string& body) {
   const std::string rings = body == "planet" ? " with the outer rings of its bearings" : "";
-  return field(mass, described_body(body) + ".mass", described::Physics::gear_bodies,
+  return field(mass, described_body(body) + ".mass",
                "mass of the " + body + rings + if_absent<Member>("derived from the teeth"), described_mass());
 }
 template <class Member>
 described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
-  return field(inertia, described_body(body) + ".equivalent_mass", described::Physics::gear_bodies,
+  return field(inertia, described_body(body) + ".equivalent_mass",
                "moment of inertia of the " + body + " over the square of its " + radius_of(body) +
                    if_absent<Member>("derived from the teeth"),
                described_mass());
@@ -61,26 +59,25 @@ described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
 /// @param reason why so stiff where a case does not say
 inline described::Row<double> support_row(double& stiffness, const std::string& body,
                                           std::string_view reason = {}) {
-  return field(stiffness, described_body(body) + ".support_stiffness", described::Physics::gear_bodies,
+  return field(stiffness, described_body(body) + ".support_stiffness",
                "support stiffness of the " + body + ", 0: floating", described_stiffness(reason));
 }
 inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
-  return field(stiffness, described_body(body) + ".torsional_stiffness", described::Physics::gear_bodies,
+  return field(stiffness, described_body(body) + ".torsional_stiffness",
                "stiffness against rotation of the " + body + ", on " + radius_of(body) + " x angle",
                described_stiffness("free to rotate; a fixed member is then held rigidly"));
 }
 template <class Member>
 described::Row<Member> bearing_stiffness_row(Member& stiffness) {
   using namespace described;
-  return field(stiffness, described_body("planet") + ".bearing_stiffness", Physics::gear_bodies,
+  return field(stiffness, described_body("planet") + ".bearing_stiffness",
                "radial stiffness of all bearings of a planet and their pins" +
                    if_absent<Member>("of the given bearing at its mean load"),
                {.models = planetary_drivetrain,
                 .dimension = dimension::stiffness,
                 .range = positive(1e13),
                 .reason = "two roller bearings of a planet of some 70 mm, loaded",
-                .default_without_bearing = true,
-                .fmu = InFmu::parameter});
+                .default_without_bearing = true});
 }
 
 /// Support of a central member by the housing. Rotations count as u = radius x angle.
@@ -98,7 +95,7 @@ template <class Visitor>
 void describe(Visitor& visit, Support& m, const std::string& body) {
   using namespace described;
   const std::string path = described_body(body);
-  const Details damping{.dimension = dimension::damping, .range = {.least = 0.0}, .fmu = InFmu::parameter};
+  const Details damping{.dimension = dimension::damping, .range = {.least = 0.0}};
   members(visit, m, support_row(m.stiffness, body),
           internal(m.damping, path + ".support_damping", "radial damping between " + body + " and housing",
                    damping),
@@ -187,9 +184,9 @@ void describe(Visitor& visit, Mesh& m, const std::string& name) {
   members(
       visit, m, internal(m.pressure_angle, path + "pressure_angle"),
       internal(m.damping, path + "damping", "damping of the " + name + " mesh while in contact",
-               {.dimension = dimension::damping, .range = not_negative, .fmu = InFmu::parameter}),
+               {.dimension = dimension::damping, .range = not_negative}),
       internal(m.backlash, path + "backlash", "backlash of the " + name + " mesh along the line of action",
-               {.dimension = dimension::length, .range = not_negative, .fmu = InFmu::parameter}),
+               {.dimension = dimension::length, .range = not_negative}),
       internal(m.stiffness, path + "stiffness"), internal(m.error, path + "error"),
       internal(m.loaded, path + "loaded_teeth"), internal(m.free_approach, path + "free_approach"));
 }
@@ -229,9 +226,7 @@ struct SetParameters {
 template <class Visitor>
 void describe(Visitor& visit, SetParameters& m) {
   using namespace described;
-  members(visit, m,
-          internal(m.planets, "gearset.planets", "number of planets",
-                   {.range = positive(), .fmu = InFmu::constant}),
+  members(visit, m, internal(m.planets, "gearset.planets", "number of planets", {.range = positive()}),
           internal(m.planet_angles, "gearset.planet_angles"), part(m.planet),
           part(m.sun, [&] { describe(visit, m.sun, "sun"); }),
           part(m.ring, [&] { describe(visit, m.ring, "ring"); }),

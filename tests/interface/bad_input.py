@@ -314,7 +314,7 @@ class BadInput(unittest.TestCase):
                 (cases / "harris_209", ("lubricant.grade=ISO VG 10", "lubricant.temperature=140 degC", "operation.shaft_speed=10 rpm"), "lubricant.grade: a viscosity ratio kappa of 0.00"),
                 (cases / "templates" / "defect.yaml", ("defect.width=1e-6 mm", "signal.revolutions=3"), "defect.width: '1e-6 mm'"),
                 (cases / "scratch_defect", ("defect.width=0.1 um",), "at least 0.001 mm"),
-                (cases / "scratch_defect", ("bearing.outer_ring_mass=1e-9 kg",), "bearing.outer_ring_mass: 1e-09 kg, with which the ring vibrates at 5.21e+07 Hz"),
+                (cases / "scratch_defect", ("bearing.outer_ring_mass=1e-9 kg",), "bearing.outer_ring_mass: 1e-9 kg, with which the ring vibrates at 5.21e+07 Hz"),
                 (cases / "wind_stage_tapered", ("bearing.balls=4",), "bearing.balls: 4 in a bearing with rollers; none is required, or bearing.type: deep-groove-ball without rollers"),
                 (cases / "templates" / "industrial.yaml", ("bearing.balls=4",), "bearing.balls: 4 in a bearing with rollers"),
                 (cases / "reducer_150kW", ("bearing.ball_diameter=5 mm",), "bearing.ball_diameter: 5 mm in a bearing with rollers")):

@@ -354,7 +354,7 @@ class Sizes(InAFolder):
         self.assertIn("'5 um' and '0.005 mm' are one value", listed.stderr)
 
     def test_a_ring_without_mass_and_a_scratch_without_width(self):
-        for setting, words in (("defect.width=1e-6 mm", "defect.width"), ("bearing.outer_ring_mass=1e-9 kg", "bearing.outer_ring_mass: 1e-09 kg")):
+        for setting, words in (("defect.width=1e-6 mm", "defect.width"), ("bearing.outer_ring_mass=1e-9 kg", "bearing.outer_ring_mass: 1e-9 kg")):
             result = self.done("run", CASES / "scratch_defect" / "case.yaml", "--json", "--set", setting, "--set", "signal.revolutions=4", code=2)
             self.assertIn(words, result.stderr)
 

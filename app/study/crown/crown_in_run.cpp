@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/results/sweep_run.hpp"
 #include "app/study/crown/crown_study.hpp"

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/printable.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/text_table.hpp"
 #include "app/errors.hpp"
@@ -105,7 +105,7 @@ std::string reason_to_state(const ResolvedCase& resolved) {
   if (resolved.shape().several) return "several sets";
   if (resolved.has("gearset.planet_rim") && resolved.choice("gearset.planet_rim") == "elastic")
     return "gearset.planet_rim: elastic";
-  if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty()) return uneven;
+  if (const std::string uneven = unequal_loads_by(resolved); !uneven.empty()) return uneven;
   const char* wind_up = "bearing.misalignment.carrier_wind_up";
   if (resolved.has(wind_up) && resolved.quantity(wind_up) != 0.0) return wind_up;
   return "";

@@ -29,26 +29,24 @@ void describe(Visitor& visit, EllipseParameters& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.rolling, "traction.ball_rolling_law", Physics::motion,
+      field(m.rolling, "traction.ball_rolling_law",
             "resistance of balls to rolling by the regression of [Houpert1987], or as computed by Reynolds' "
             "equation",
             {.models = balls_in_time,
              .reason = "what published cases use; computed, it is 1.5 to 2 times as much",
              .where = {"traction.rolling_resistance", "true"}}),
-      field(m.eyring_stress, "traction.eyring_stress", Physics::motion,
-            "shear stress at which the oil begins to thin",
+      field(m.eyring_stress, "traction.eyring_stress", "shear stress at which the oil begins to thin",
             {.models = balls_in_time,
              .dimension = dimension::stress,
              .range = positive(1.0),
              .reason = "mineral oil",
              .where = {"traction.law", "ree-eyring"}}),
-      field(m.slices, "traction.slices", Physics::motion,
-            "slices of an ellipse of contact across the direction of rolling",
+      field(m.slices, "traction.slices", "slices of an ellipse of contact across the direction of rolling",
             {.models = balls_in_time,
              .range = {1, 32},
              .reason = "friction within a per cent",
              .numerical = true}),
-      field(m.rows, "traction.rows", Physics::motion, "points of each slice along the direction of rolling",
+      field(m.rows, "traction.rows", "points of each slice along the direction of rolling",
             {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender", .numerical = true}));
 }
 
@@ -61,7 +59,7 @@ template <class Visitor>
 void describe(Visitor& visit, PocketParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.straight, "bearing.cage.pocket_straight", Physics::motion,
+          field(m.straight, "bearing.cage.pocket_straight",
                 "length of the straight part of an oblong pocket along the pitch circle",
                 {.models = balls_in_time,
                  .dimension = dimension::length,
@@ -98,7 +96,7 @@ struct MixtureParameters {
 /// Rollers at rest have it too.
 inline auto oil_flow_row(double& flow) {
   using namespace described;
-  return field(flow, "lubricant.flow", Physics::motion,
+  return field(flow, "lubricant.flow",
                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
                {.models = ball_motion | roller_bearing,
                 .dimension = dimension::flow,
@@ -110,13 +108,13 @@ template <class Visitor>
 void describe(Visitor& visit, MixtureParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.motion, "drag.mixture", Physics::motion,
+          field(m.motion, "drag.mixture",
                 "oil and air around the balls rotate by their balance of angular momentum, or rest",
                 {.models = balls_in_time,
                  .reason = "balls, cage and shaft drag them along",
                  .where = {"drag.enabled", "true"}}),
           oil_flow_row(m.flow),
-          field(m.fill, "lubricant.fill", Physics::motion,
+          field(m.fill, "lubricant.fill",
                 "share of oil in the free volume: stated, or by flow and speed as Parker measured",
                 {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}));
 }
@@ -147,13 +145,13 @@ void describe(Visitor& visit, MotionParameters& m) {
   const std::string_view ring_alone = "the ring alone: a light shaft";
   members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
           part(m.ellipse), part(m.pocket),
-          together(field(m.inner.mass, "rotor.mass", Physics::motion,
+          together(field(m.inner.mass, "rotor.mass",
                          "mass that moves with the inner ring, including the ring; 0: the ring only",
                          {.models = ball_motion,
                           .dimension = dimension::mass,
                           .range = {0.0, 1e6},
                           .reason = ring_alone}),
-                   field(m.inner.across, "rotor.inertia", Physics::motion,
+                   field(m.inner.across, "rotor.inertia",
                          "moment of inertia about a diameter of the parts that move with the inner ring; 0: "
                          "the ring only",
                          {.models = ball_motion,

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/case/set_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::consistency_test {
@@ -81,7 +81,11 @@ TEST(StatedGeometry, NamesTheSignOfDin) {
   EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.033 mm", "gearset.profile_shift.ring=-0.1591"}),
               ElementsAre(AllOf(HasSubstr("872.39"), HasSubstr("DIN 3960"), HasSubstr("opposite sign, 0.1591, gives centre distance 877.03"))));
   const auto warnings = [](const std::vector<std::string>& settings) {
-    return ring_sign_warnings(parse_case(kStage, "case.yaml", settings));
+    const analysis::StatedSet set = stated_set(parse_case(kStage, "case.yaml", settings));
+    std::vector<std::string> texts;
+    for (const gearset::Warning& warning : gearset::ring_sign_warnings(with_bore(set), set.geometry))
+      texts.push_back(warning.key + ": " + warning.text);
+    return texts;
   };
   EXPECT_THAT(warnings({}), IsEmpty());
   EXPECT_THAT(warnings({"gearset.profile_shift.ring=-0.1591"}),

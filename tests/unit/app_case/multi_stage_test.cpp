@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/case/arrangement_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/case/case_shape.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
@@ -42,7 +42,7 @@ TEST(MultiStage, AreReadWithTheirShafts) {
   EXPECT_FALSE(resolved.has("sets.transmission.bearing.rollers"));
   EXPECT_FALSE(resolved.has("sets.transmission.bearing.cage.guidance"));  // nor its default
   EXPECT_FALSE(resolved.has("input.member"));
-  const gearset::Arrangement arrangement = arrangement_of(resolved);
+  const gearset::Arrangement arrangement = arrangement_of(stated_drivetrain(resolved));
   ASSERT_EQ(arrangement.shafts.size(), 5U);
   EXPECT_TRUE(arrangement.shafts[0].motor);
   EXPECT_TRUE(arrangement.shafts[3].load);

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
-#include "app/case/set_case.hpp"
+#include "app/case/drivetrain_reader.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
@@ -81,7 +81,7 @@ void expect_flank_of(const Tooth& tooth, const nlohmann::ordered_json& gear) {
 
 TEST(GearReport, FlanksAreThoseOfTheTeeth) {
   const ResolvedCase in = gears();
-  const gearset::WorkingGeometry geometry = gearset::working_geometry(set_of(in));
+  const gearset::WorkingGeometry geometry = gearset::working_geometry(with_bore(stated_set(in)));
   const nlohmann::ordered_json pairs = gear_report(in, {18000.0})["tooth_pairs"];
   expect_flank_of(geometry.sun, pairs[0]["gears"][0]);
   expect_flank_of(geometry.planet, pairs[0]["gears"][1]);
