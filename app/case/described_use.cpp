@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "app/case/case_shape.hpp"
@@ -166,6 +167,7 @@ class UseRules {
   Use with_carrier_body(Use use, std::string_view path) const;
   Use with_carrier_beside(const Use& use, std::string_view path) const;
 
+  bool know(const std::string& path) const { return physics_.contains(path); }
   bool make_meshes(std::string_view path) const { return is_among(meshes_, path); }
   Use use_of(const std::string& path, const described::Where& row) const {
     Use use = with_meshes(with_pins(by_physics(path), path), path);
@@ -706,6 +708,8 @@ bool makes_meshes(std::string_view path) {
 }
 
 Use use_of(const described::Facts& facts) {
+  if ((facts.details.models & planetary_drivetrain) != 0 && !use_rules().know(facts.path))
+    throw std::logic_error("no physics is listed for '" + facts.path + "'");
   return use_rules().use_of(facts.path, facts.details.where);
 }
 
