@@ -241,9 +241,8 @@ class UseRules {
   // Members that several rules are about.
   const std::string film_ = key_(race_.film_in_approach), rim_ = key_(planets_.rim),
                     tilt_ = key_(planets_.seats.tilt), support_ = key_(planets_.dynamics.support.stiffness),
-                    bore_ = key_(bearing_.inner.seat_diameter), outside_ = key_(bearing_.outer.seat_diameter),
-                    width_ = key_(bearing_.width), pin_diameter_ = key_(planets_.seats.diameter),
-                    speed_ = key_(rows_.drive.speed), power_ = key_(rows_.drive.power),
+                    bore_ = key_(bearing_.inner.seat_diameter), width_ = key_(bearing_.width),
+                    pin_diameter_ = key_(planets_.seats.diameter), power_ = key_(rows_.drive.power),
                     grade_ = key_(oil_.grade), density_of_oil_ = key_(planets_.dynamics.drag.oil_density),
                     viscosity_ = key_(planets_.dynamics.lubricant.viscosity),
                     spring_ = key_(gears_.bearing_stiffness),
@@ -713,20 +712,8 @@ Use use_of(const described::Facts& facts) {
   return use_rules().use_of(facts.path, facts.details.where);
 }
 
-bool links_rows(std::string_view path) {
-  return use_rules().link_rows(path);
-}
 Condition where_planets_carry_unlike_loads() {
   return use_rules().unlike_loads();
-}
-Condition where_pin_links(std::string_view path) {
-  return use_rules().pin_links(path);
-}
-Condition where_tilts_are_computed() {
-  return use_rules().tilts_are_computed();
-}
-std::vector<Condition> where_body_has_pin(std::string_view path) {
-  return use_rules().body_has_pin(path);
 }
 Condition where_bearings_make_springs() {
   return use_rules().bearings_are_springs();

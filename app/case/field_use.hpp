@@ -86,13 +86,6 @@ Condition where_absent(std::string path);
 Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view set), std::string text);
 /// Pins with position errors: quasi-static loads then depend on the compliance under the planets.
 Condition where_planets_carry_unlike_loads();
-/// Pins that one wall of the carrier holds; they have an effect where tilts are computed. Only a flexpin has
-/// a diameter of its own.
-Condition where_pin_links(std::string_view path);
-Condition where_tilts_are_computed();
-/// Whether a field makes the pin that links the bearings on it in three dimensions, and where it does so.
-std::vector<Condition> where_body_has_pin(std::string_view path);
-bool links_rows(std::string_view path);
 /// Gears on springs that follow from their bearings.
 Condition where_bearings_make_springs();
 

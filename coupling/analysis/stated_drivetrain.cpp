@@ -176,9 +176,10 @@ const std::vector<std::string> pair_names{"first_planet", "second_planet"};
 
 std::vector<study::NamedSet> planets_of_pairs(const StatedDrivetrain& in) {
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
+  const gearset::Drive drive = drive_of(in);
   std::vector<study::NamedSet> planets;
   for (const std::string& name : pair_names) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive_of(in));
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive);
     drivetrain.of_pair = {in.single().second_planet, name == pair_names.back()};
     drivetrain.in_arrangement = flow.sets.front();
     drivetrain.mesh_variation = false;
@@ -251,9 +252,10 @@ std::vector<study::NamedSet> sets_without_bearing(const StatedDrivetrain& in) {
   std::vector<study::NamedSet> sets;
   if (in.is_single()) return sets;
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
+  const gearset::Drive drive = drive_of(in);
   for (std::size_t i = 0; i < in.sets.size(); ++i) {
     if (in.sets[i].set.has_bearing()) continue;
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.sets[i].set, drive_of(in));
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.sets[i].set, drive);
     drivetrain.in_arrangement = flow.sets[i];
     sets.push_back({in.sets[i].name, std::move(drivetrain), {}});
   }
