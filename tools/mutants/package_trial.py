@@ -17,6 +17,7 @@ FOLDER = "python/orbearing"
 LONGEST = 1800.0  # [s] of a test without an error
 USES = re.compile(r"\borbearing\b(?! (run|sweep|check)\b)|\bpackage\(|\"(report|study|uncertainty|validate)\"")
 CALLS = re.compile(r"^(from|import) program\b|\bORBEARING\b", re.M)  # the program, which takes longer
+SLOW = 100.0  # [s]  of a test without an error: asked after the others, unless it is named like the error's module
 SKIPPED = (0, 77)
 OF_THIS_TOOL = "mutation_tool.py"  # names the package's folder and does not use it
 
@@ -72,7 +73,7 @@ class PackageCopies:
                     continue
                 unlike = sum(not test.name.startswith(word[:8].removesuffix("s")) for word in words)
                 unnamed = sum(re.search(rf"\b{word}", text) is None for word in words)
-                found.append((unlike, not test.name.endswith("_recorded.py"), unnamed, CALLS.search(text) is not None, seconds, test))
+                found.append((unlike, seconds > SLOW, not test.name.endswith("_recorded.py"), unnamed, CALLS.search(text) is not None, seconds, test))
         return [test for *_, test in sorted(found)]
 
     def ask(self, test: pathlib.Path, folder: pathlib.Path, seconds: float) -> tuple[int, str]:
