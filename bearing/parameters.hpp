@@ -22,6 +22,8 @@ using mechanics::Material;
 struct Lubricant {
   double viscosity = 0.0;           // [Pa s]  dynamic, at atmospheric pressure
   double pressure_viscosity = 0.0;  // [1/Pa]  Barus coefficient
+
+  bool operator==(const Lubricant&) const = default;
 };
 
 /// The default of cases.

@@ -11,6 +11,8 @@ struct RaceHarmonic {
   double phase = 0.0;      // [rad]
   bool rotating = false;   // true: angle from a mark on the race (waviness made into it); false: from the
                            // outward direction (a shape that loads hold while the race turns through it)
+
+  bool operator==(const RaceHarmonic&) const = default;
 };
 
 }  // namespace orbearing::bearing

@@ -1,12 +1,37 @@
 # Installation: libraries, headers, CMake package, program, cases and Python package.
 include(CMakePackageConfigHelpers)
 
+# Headers of the libraries that those of include/orbearing need, directly or through one another, as paths from the
+# root: structures of machines and results. They are installed in a folder of their own.
+function(orbearing_headers_behind_interface result)
+  file(GLOB waiting CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/orbearing/*.hpp")
+  set(found "")
+  while(waiting)
+    list(POP_FRONT waiting header)
+    file(STRINGS "${header}" lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" included "${line}")
+      if(included MATCHES "^(mechanics|gearset|bearing|coupling)/" AND NOT included IN_LIST found)
+        list(APPEND found "${included}")
+        list(APPEND waiting "${PROJECT_SOURCE_DIR}/${included}")
+      endif()
+    endforeach()
+  endwhile()
+  set(${result} "${found}" PARENT_SCOPE)
+endfunction()
+
 set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
 set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 
 if(TARGET orbearing_library)
   install(TARGETS orbearing_library EXPORT OrbearingTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/orbearing" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  orbearing_headers_behind_interface(headers)
+  foreach(header IN LISTS headers)
+    get_filename_component(folder "${header}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/${header}"
+            DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/orbearing/library/${folder}")
+  endforeach()
   install(EXPORT OrbearingTargets NAMESPACE orbearing:: DESTINATION "${orbearing_package_dir}")
   configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/OrbearingConfig.cmake.in" "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"

@@ -178,7 +178,10 @@ template <class Call>
 struct CallRow {
   Call describe;
 };
-struct NoRow {};
+template <class Member>
+struct ApartRow {
+  Member& member;
+};
 template <class... Rows>
 struct RowsOfOne {
   std::tuple<Rows...> rows;
@@ -233,10 +236,10 @@ template <class... Rows>
 RowsOfOne<Rows...> together(const Rows&... rows) {
   return {{rows...}};
 }
-/// A member that is no parameter of a case or FMU.
+/// A member that is no parameter of a case or FMU. Visitors with a function `apart` see it.
 template <class Member>
-NoRow apart(Member&) {
-  return {};
+ApartRow<Member> apart(Member& member) {
+  return {member};
 }
 
 template <class T>
@@ -287,6 +290,10 @@ class Within {
   void choose_by_inputs(Self& self, Variant& member) {
     visit_.choose_by_inputs(self, member);
   }
+  template <class Member>
+  void apart(Member& member) {
+    visit_row(visit_, ApartRow<Member>{member});
+  }
 
  private:
   Visitor& visit_;
@@ -310,8 +317,10 @@ template <class Visitor, class Call>
 void visit_row(Visitor&, const CallRow<Call>& row) {
   row.describe();
 }
-template <class Visitor>
-void visit_row(Visitor&, const NoRow&) {}
+template <class Visitor, class Member>
+void visit_row(Visitor& visit, const ApartRow<Member>& row) {
+  if constexpr (requires { visit.apart(row.member); }) visit.apart(row.member);
+}
 template <class Visitor, class... Rows>
 void visit_row(Visitor& visit, const RowsOfOne<Rows...>& all) {
   std::apply([&](const Rows&... row) { (visit_row(visit, row), ...); }, all.rows);

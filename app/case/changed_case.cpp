@@ -13,6 +13,7 @@
 #include "app/case/resolved_case.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/sweep_axes.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -119,6 +120,23 @@ ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text
 
 ResolvedCase ResolvedCase::with(const std::string& path, double number) const {
   return with(std::vector<Setting>{{path, "", number}});
+}
+
+ResolvedCase ResolvedCase::sweeping(const std::string& path, const std::vector<double>& numbers) const {
+  const Location location{true, 1, 1};
+  const Field* field = find_field(path);
+  const std::string unit = field == nullptr ? "" : std::string(field->dimension.si);
+  Entry list = make_entry(Entry::Shape::list, location), sweep = make_entry(Entry::Shape::block, location);
+  for (const double number : numbers)
+    list.items.push_back(make_scalar(fmt::format("{} {}", number, unit), false, location));
+  sweep.members.push_back({path, location, std::move(list)});
+  std::vector<Mistake> mistakes;
+  CaseData data = *data_;
+  data.axes = std::make_shared<const std::vector<SweepAxis>>(read_axes(sweep, model(), shape(), mistakes));
+  const ResolvedCase result(std::move(data));
+  check_sweep_consistency(result, mistakes);
+  if (!mistakes.empty()) throw_mistakes(file(), std::move(mistakes));
+  return result;
 }
 
 ResolvedCase ResolvedCase::of_set(std::string_view set) const {

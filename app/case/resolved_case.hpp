@@ -161,6 +161,9 @@ class ResolvedCase {
   /// One of several sets as a case of its own, without sweep: its fields at the top, with what all share.
   ResolvedCase of_set(std::string_view set) const;
 
+  /// Copy whose sweep takes the input at `path` through these numbers [SI]. Throws BadInput.
+  ResolvedCase sweeping(const std::string& path, const std::vector<double>& numbers) const;
+
   /// Copy without its sweep: the one operating point that the values state.
   ResolvedCase without_sweep() const;
 

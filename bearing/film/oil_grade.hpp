@@ -21,6 +21,8 @@ struct OilGrade {
   double viscosity_index = 95.0;  // [-]
   double density = 850.0;         // [kg/m^3]
   std::optional<double> viscosity_100{};  // [m^2/s]  kinematic, at 100 degC; none: by the viscosity index
+
+  bool operator==(const OilGrade&) const = default;
 };
 
 /// Grades of [ISO3448] [mm^2/s at 40 degC] that reach 2 mm^2/s at 100 degC.

@@ -41,6 +41,8 @@ struct BearingSize {
   bool wide = false;             // of width series 2 and above: 20, 22, 23
 
   double mean_diameter() const { return 0.5 * (bore + outside); }  // [m]  d_m
+
+  bool operator==(const BearingSize&) const = default;
 };
 
 /// Operating condition in the formulas.

@@ -19,19 +19,25 @@ namespace orbearing::bearing::profile {
 // Beyond +-l/2 every kind keeps its value at the end.
 
 /// A cylinder.
-struct Straight {};
+struct Straight {
+  bool operator==(const Straight&) const = default;
+};
 
 /// Straight up to a plane (conical) chamfer at each end.
 struct Chamfer {
   double length = 0.0;          // [m]  l
   double chamfer_length = 0.0;  // [m]  of one end, along the axis
   double depth = 0.0;           // [m]  drop at the end; leading parameter
+
+  bool operator==(const Chamfer&) const = default;
 };
 
 /// Full crown: one circular arc over the whole length.
 struct CircularCrown {
   double length = 0.0;    // [m]
   double end_drop = 0.0;  // [m]  at l/2, below l/2; leading parameter
+
+  bool operator==(const CircularCrown&) const = default;
 };
 
 /// Straight in the middle, then a circular arc that leaves it without a kink.
@@ -39,6 +45,8 @@ struct StraightCircular {
   double length = 0.0;           // [m]
   double straight_length = 0.0;  // [m]  of the whole middle part, below l
   double end_drop = 0.0;         // [m]  leading parameter
+
+  bool operator==(const StraightCircular&) const = default;
 };
 
 /// Logarithmic profile of [Lundberg1939]: -A ln(1 - (2x/l)^2), which is infinite at the end. As there, the
@@ -48,6 +56,8 @@ struct Lundberg {
   double length = 0.0;       // [m]
   double amplitude = 0.0;    // [m]  A = 2 Q / (pi E' l); leading parameter
   double width_ratio = 0.0;  // [-]  2b/l, above 0 and below 1
+
+  bool operator==(const Lundberg&) const = default;
 };
 
 /// The same with a smooth end, [JohnsGohar1981]: -A ln(1 - (1 - 0.3033 * 2b/l) (2x/l)^2).
@@ -55,6 +65,8 @@ struct JohnsGohar {
   double length = 0.0;       // [m]
   double amplitude = 0.0;    // [m]  A; leading parameter
   double width_ratio = 0.0;  // [-]  2b/l
+
+  bool operator==(const JohnsGohar&) const = default;
 };
 
 /// Reference profile of [ISO16281]: -0.00035 D ln(1 - (2x/l)^2) for l <= 2.5 D; a longer roller is straight
@@ -65,6 +77,8 @@ struct Iso16281 {
   double length = 0.0;    // [m]
   double diameter = 0.0;  // [m]  D of the roller
   double scale = 1.0;     // [-]  1: the standard's; leading parameter
+
+  bool operator==(const Iso16281&) const = default;
 };
 
 /// Three-parameter logarithmic profile of [FujiwaraKawase2007]: with u from 0 where the crown begins to 1 at
@@ -75,6 +89,8 @@ struct FujiwaraKawase {
   double end_drop = 0.0;          // [m]  z_m; leading parameter, at the same z_m/A
   double steepness = 0.0;         // [-]  z_m/A
   double crowned_fraction = 1.0;  // [-]  K2, above 0 and at most 1
+
+  bool operator==(const FujiwaraKawase&) const = default;
 };
 
 /// Measured or designed points, joined by straight lines; held beyond the first and the last.
@@ -82,6 +98,8 @@ struct Table {
   std::vector<double> x;     // [m]  rising, from -l/2 to l/2
   std::vector<double> drop;  // [m]  at x
   double scale = 1.0;        // [-]  of all drops; leading parameter
+
+  bool operator==(const Table&) const = default;
 };
 
 using Profile = std::variant<Straight, Chamfer, CircularCrown, StraightCircular, Lundberg, JohnsGohar,

@@ -13,10 +13,15 @@ file(REMOVE_RECURSE "${WORK}")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/first")
 file(RENAME "${WORK}/first" "${WORK}/moved")
 
+set(reducer "${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml")
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../../docs/guide/cpp.md" page)
+string(REGEX MATCH "```cpp\n(.*)\n```" block "${page}")
+file(WRITE "${WORK}/reducer.cpp" "${CMAKE_MATCH_1}")
+
 run("${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${WORK}/build" -G Ninja
     "-DCMAKE_PREFIX_PATH=${WORK}/moved" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
     "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DEXPECTED_VERSION=${VERSION}"
-    "-DREDUCER=${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml")
+    "-DREDUCER=${reducer}" "-DREDUCER_PROGRAM=${WORK}/reducer.cpp")
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 run("${WORK}/build/consumer")
 
