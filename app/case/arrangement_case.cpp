@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "coupling/analysis/set_problems.hpp"
@@ -60,7 +61,7 @@ Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
   if (!problem.members.empty()) {
     const std::string prefix = set_prefix(arrangement.sets[problem.members.front().set].name);
     path = prefix.substr(0, prefix.size() - 1);
-    location = resolved.location(prefix + "gearset.teeth.sun");
+    location = resolved.location(prefix + keys().sun_teeth);
   }
   return {location, path, {problem.found, problem.required}};
 }
@@ -81,7 +82,7 @@ std::string stated_torque(const ResolvedCase& in) {
 }  // namespace
 
 void check_speed_of(CheckedCase& resolved) {
-  if (!resolved.has(kSpeedOfPath) || !resolved.mistakes.empty() ||
+  if (!resolved.has(keys().speed_of) || !resolved.mistakes.empty() ||
       part_of<gearset::Drive>(resolved, Missing::left_out).speed_of == gearset::SpeedOf::motor)
     return;
   for (const mechanics::Problem& problem :

@@ -2,6 +2,8 @@
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
+#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app::table {
@@ -16,21 +18,18 @@ Condition where_profile_acts_on_loads() {
   return where_true(
       [](const ResolvedCase& in, std::string_view set) {
         const std::string of_set(set);
-        return in.has(of_set + "bearing.laminae") ||
-               is_chosen(in, of_set + "bearing.profile.kind", "straight");
+        return in.has(of_set + keys().laminae) || is_chosen(in, of_set + kProfileKind, "straight");
       },
       "where bearing.laminae is given");
 }
 
-constexpr const char *kKind = "bearing.profile.kind", *kDrop = "bearing.profile.drop",
-                     *kDesignLoad = "bearing.profile.design_load";
+constexpr const char *kDrop = "bearing.profile.drop", *kDesignLoad = "bearing.profile.design_load";
 
 // Without laminae loads of planets are those of whole contacts, and the profile affects lives only by the
 // standards.
 ProfileUses profile_of_planets() {
   const auto with_laminae = [](const Use& use) {
-    return use.limited(app::use::fmu_bearing | app::use::planet_stiffness,
-                       {where_given({"bearing.laminae"})});
+    return use.limited(app::use::fmu_bearing | app::use::planet_stiffness, {where_given({keys().laminae})});
   };
   const Use of_any(of_laminae, gears_alone);
   return {.kind = of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
@@ -46,17 +45,18 @@ ProfileUses profile_of_planets() {
 // The kind has a default by the type of bearing (derived_defaults.cpp).
 void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses) {
   Rows rows(fields, models & with_rollers);
-  const Use &profile = uses.shape, &depth = uses.depth, table = uses.table.when(where(kKind, {"table"}));
-  const auto of_kind = [&](const char* kind) { return profile.when(where(kKind, {kind})); };
+  const Use &profile = uses.shape, &depth = uses.depth,
+            table = uses.table.when(where(kProfileKind, {"table"}));
+  const auto of_kind = [&](const char* kind) { return profile.when(where(kProfileKind, {kind})); };
   // Its depth may be scaled: the shape is determined by the end and the load.
-  const std::vector<Condition> shape_beside_end_drop{where(kKind, {"fujiwara-kawase"}),
+  const std::vector<Condition> shape_beside_end_drop{where(kProfileKind, {"fujiwara-kawase"}),
                                                      where_given({"bearing.profile.end_drop"})};
   // Its load follows from the drop, where none is stated.
   std::vector<Condition> drop_beside_end_drop = shape_beside_end_drop;
   drop_beside_end_drop.push_back(where_absent(kDesignLoad));
   constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
 
-  rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends", uses.kind,
+  rows.choice(kProfileKind, "profile of the rollers along their length; straight: with sharp ends", uses.kind,
               {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
                "fujiwara-kawase", "table"});
   rows.quantity(
@@ -67,7 +67,7 @@ void add_profile_fields(std::vector<Field>& fields, unsigned models, const Profi
   rows.quantity(kDesignLoad,
                 "design load of one roller for lundberg, johns-gohar and fujiwara-kawase; left out: the load "
                 "that corresponds to the drop",
-                profile.when(where(kKind, {"lundberg", "johns-gohar", "fujiwara-kawase"}))
+                profile.when(where(kProfileKind, {"lundberg", "johns-gohar", "fujiwara-kawase"}))
                     .when(where_absent(kDrop))
                     .used_too(uses.all, shape_beside_end_drop),
                 dimension::force, positive(1e8));
@@ -78,7 +78,7 @@ void add_profile_fields(std::vector<Field>& fields, unsigned models, const Profi
                 "straight-circular: its straight middle; left out: six tenths of the roller",
                 of_kind("straight-circular"), dimension::length, end_length);
   rows.number("bearing.profile.k1", "fujiwara-kawase: K1, factor of the design load; left out: 1",
-              depth.when(where(kKind, {"fujiwara-kawase"}))
+              depth.when(where(kProfileKind, {"fujiwara-kawase"}))
                   .when(where_given({kDesignLoad}))
                   .when(where_absent(kDrop))
                   .used_too(uses.all, shape_beside_end_drop),
@@ -131,8 +131,8 @@ void add_forms(std::vector<Field>& fields) {
 void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& use) {
   if ((models & with_rollers) == 0) return;
   Rows(fields, models & with_rollers)
-      .choice("bearing.type", "kind of bearing; others than cylindrical-roller in planets at rest alone", use,
-              choices_of<bearing::PlanetBearingType>())
+      .choice(keys().bearing_type, "kind of bearing; others than cylindrical-roller in planets at rest alone",
+              use, choices_of<bearing::PlanetBearingType>())
       .required();
 }
 

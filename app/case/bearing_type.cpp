@@ -1,5 +1,7 @@
 #include "app/case/bearing_type.hpp"
 
+#include "app/case/input_keys.hpp"
+
 #include <algorithm>
 
 namespace orbearing::app {
@@ -7,8 +9,6 @@ namespace orbearing::app {
 namespace {
 
 using bearing::PlanetBearingType;
-
-constexpr const char* kType = "bearing.type";
 
 PlanetBearingType type_named(std::string_view text) {
   return value_named<PlanetBearingType>(text).value_or(PlanetBearingType::cylindrical_roller);
@@ -21,7 +21,7 @@ std::string path_in(std::string_view set, std::string_view path) {
 }  // namespace
 
 PlanetBearingType bearing_type_of(const ResolvedCase& in, std::string_view set) {
-  const std::string path = path_in(set, kType);
+  const std::string path = path_in(set, keys().bearing_type);
   return in.has(path) ? type_named(in.choice(path)) : PlanetBearingType::cylindrical_roller;
 }
 
@@ -35,18 +35,19 @@ bool has_cylindrical_rollers(const ResolvedCase& in) {
 }
 
 bool has_planet_bearing(const ResolvedCase& in, std::string_view set) {
-  return in.has(path_in(set, "bearing.rollers")) ||
-         (in.model() == planetary_drivetrain && in.has(path_in(set, "bearing.balls")));
+  return in.has(path_in(set, keys().rollers)) ||
+         (in.model() == planetary_drivetrain && in.has(path_in(set, keys().balls)));
 }
 
 bool is_unknown_type(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
-  return input.field->path == kType && in.has(input.path) && (analysis & knows_every_type) == 0 &&
+  return input.field->path == keys().bearing_type && in.has(input.path) &&
+         (analysis & knows_every_type) == 0 &&
          type_named(in.choice(input.path)) != PlanetBearingType::cylindrical_roller;
 }
 
 bool goes_without(std::string_view type, std::string_view path) {
   return type_named(type) == PlanetBearingType::deep_groove_ball &&
-         is_one_of(path, {"bearing.rollers", "bearing.roller_diameter", "bearing.roller_length"});
+         is_one_of(path, {keys().rollers, keys().roller_diameter, keys().roller_length});
 }
 
 }  // namespace orbearing::app

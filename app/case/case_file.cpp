@@ -19,6 +19,7 @@
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
@@ -157,7 +158,7 @@ class Resolver {
   static bool is_of_default_class(const Entry& assumed, const std::string& path) {
     const std::string set = set_of(path);
     if (!is_one_of(path.substr(set.size()),
-                   {catalogue_keys::kClass, catalogue_keys::kClearance, catalogue_keys::kState}))
+                   {catalogue_keys::kClass, keys().radial_clearance, keys().clearance_state}))
       return false;
     const Member* of_class = find_member(assumed, set + catalogue_keys::kClass);
     return of_class != nullptr && of_class->value.text.starts_with("default:");
@@ -165,7 +166,7 @@ class Resolver {
 
   static bool is_rating(std::string_view path) {
     return is_one_of(path.substr(set_prefix_length(path)),
-                     {catalogue_keys::kDynamic, catalogue_keys::kStatic, catalogue_keys::kLimit});
+                     {keys().dynamic_capacity, keys().static_capacity, keys().fatigue_load_limit});
   }
 
   // Reports unknown designations; values that would follow from them are not reported as missing.
@@ -316,7 +317,7 @@ class Resolver {
     }
     FieldReading reading = read_field(field, value);
     if (!reading.good) {
-      const bool oil = field.path == "lubricant.grade";
+      const bool oil = field.path == keys().oil_grade;
       add_error(reading.location.value_or(member.value.location), path, reading.message.found,
                 reading.message.required + likely_place(path, field, value) +
                     (oil ? "; an oil of another viscosity is stated by lubricant.viscosity_40 and "
@@ -400,20 +401,19 @@ class Resolver {
   }
 
   // As stated in the set of an input; empty: not at all.
-  std::string given_beside(const Input& input, const char* path) const {
+  std::string given_beside(const Input& input, const std::string& path) const {
     const auto found = data_.values.find(set_of(input.path) + path);
     return found == data_.values.end() ? "" : found->second.value.given;
   }
 
   // A full complement of rollers has no cage.
   bool is_of_missing_cage(const Input& input) const {
-    return input.field->path.starts_with("bearing.cage.") &&
-           given_beside(input, catalogue_keys::kComplement) == "full";
+    return input.field->path.starts_with("bearing.cage.") && given_beside(input, keys().complement) == "full";
   }
 
   bool is_of_other_type(const Input& input) const {
     return model_ == planetary_drivetrain &&
-           goes_without(given_beside(input, "bearing.type"), input.field->path);
+           goes_without(given_beside(input, keys().bearing_type), input.field->path);
   }
 
   bool is_of_missing_bearing(const Input& input) const {
@@ -439,7 +439,7 @@ class Resolver {
 
   // Types other than this one are those of planets.
   std::string what_is_missing(const Field& field) const {
-    const bool single = field.path == "bearing.type" && model_ != planetary_drivetrain;
+    const bool single = field.path == keys().bearing_type && model_ != planetary_drivetrain;
     return single ? "cylindrical-roller" : requirement(field);
   }
 

@@ -1,5 +1,7 @@
 #include "app/case/case_shape.hpp"
 
+#include "app/case/input_keys.hpp"
+
 #include <algorithm>
 #include <cctype>
 
@@ -50,7 +52,7 @@ namespace {
 
 // Whether the field has no use without a bearing.
 bool is_of_bearing(const Field& field) {
-  return is_one_of(field.path, {"inertia.own_orbit", "inertia.gravity", "input.acceleration", "spectrum"}) ||
+  return is_one_of(field.path, {keys().own_orbit, keys().gravity, keys().acceleration, "spectrum"}) ||
          begins_with_one_of(field.path, {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.",
                                          "drag.", "heat.", "support.", "simulation.", "numerics."});
 }
@@ -67,7 +69,7 @@ bool is_of_several_sets(const Field& field) {
 
 bool is_of_teeth(const Field& field) {
   if (field.path.find('.') == std::string::npos ||
-      is_one_of(field.path, {"gearset.planets", "gearset.pressure_angle"}))
+      is_one_of(field.path, {keys().planets, keys().pressure_angle}))
     return false;
   // Fields of the drive and of the run in time have no use without tooth numbers.
   for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})

@@ -6,6 +6,7 @@
 
 #include "app/case/catalogue_lines.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/units.hpp"
 #include "bearing/default_design.hpp"
@@ -77,26 +78,25 @@ class CatalogueCase {
         "default: inferred from the ratings of {} (docs/bearings.md); one {} more would leave a {} of "
         "{:.2g} % less",
         name, rollers ? "roller" : "ball", rollers ? "length" : "diameter", -100.0 * inside.per_element);
-    put(rollers ? catalogue_keys::kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
-    put(rollers ? "bearing.roller_diameter" : "bearing.ball_diameter", millimetres(inside.diameter),
-        inferred);
+    put(rollers ? keys().rollers : keys().balls, fmt::format("{}", inside.elements), inferred);
+    put(rollers ? keys().roller_diameter : keys().ball_diameter, millimetres(inside.diameter), inferred);
     if (rollers)
-      put("bearing.roller_length", millimetres(inside.length), inferred);
+      put(keys().roller_length, millimetres(inside.length), inferred);
     else
-      put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), published);
+      put(keys().contact_angle, fmt::format("{:g} deg", kDegree * entry_->contact_angle), published);
     if (entry_->family == catalogue::Family::angular_contact)
-      put_default(catalogue_keys::kClearance, "0 um",
+      put_default(keys().radial_clearance, "0 um",
                   "default: without load the balls touch at the nominal contact angle");
-    put("bearing.pitch_diameter", millimetres(inside.pitch_diameter), inferred);
+    put(keys().pitch_diameter, millimetres(inside.pitch_diameter), inferred);
     if (entry_->family != catalogue::Family::needle_cage) {
-      put("bearing.bore", millimetres(entry_->bore), published);
-      put("bearing.outside_diameter", millimetres(entry_->outside), published);
+      put(keys().bore, millimetres(entry_->bore), published);
+      put(keys().outside_diameter, millimetres(entry_->outside), published);
     } else {
-      put_default(catalogue_keys::kRings, "none", published + ", which has no rings");
+      put_default(keys().rings, "none", published + ", which has no rings");
     }
-    put("bearing.width", millimetres(entry_->width), published);
+    put(keys().width, millimetres(entry_->width), published);
     inside_ = &inside;
-    if (rollers) put_default("bearing.type", "cylindrical-roller", published);
+    if (rollers) put_default(keys().bearing_type, "cylindrical-roller", published);
     fill_default_cage(inside);
   }
 
@@ -104,8 +104,8 @@ class CatalogueCase {
   void fill_ratings() {
     if (inside_ == nullptr) return;
     const std::string published = "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
-    const FieldValue* rollers = find(catalogue_keys::kRollers);
-    const bool full = is_full(find(catalogue_keys::kComplement)) && rollers != nullptr;
+    const FieldValue* rollers = find(keys().rollers);
+    const bool full = is_full(find(keys().complement)) && rollers != nullptr;
     for (const PrintedRating& rating : ratings_of(*entry_)) {
       if (rating.value == 0.0) continue;
       if (full) {
@@ -134,12 +134,12 @@ class CatalogueCase {
 
   // Cage of a bearing outside the catalogue, from its rollers or balls as stated.
   void fill_cage_of_stated_inside() {
-    const FieldValue *pitch = find("bearing.pitch_diameter"), *width = find("bearing.width"),
-                     *roller = find("bearing.roller_diameter"), *ball = find("bearing.ball_diameter"),
-                     *length = find("bearing.roller_length");
+    const FieldValue *pitch = find(keys().pitch_diameter), *width = find(keys().width),
+                     *roller = find(keys().roller_diameter), *ball = find(keys().ball_diameter),
+                     *length = find(keys().roller_length);
     const FieldValue* diameter = roller != nullptr ? roller : ball;
-    if (inside_ != nullptr || is_full(find(catalogue_keys::kComplement)) || pitch == nullptr ||
-        width == nullptr || diameter == nullptr || (roller != nullptr && length == nullptr))
+    if (inside_ != nullptr || is_full(find(keys().complement)) || pitch == nullptr || width == nullptr ||
+        diameter == nullptr || (roller != nullptr && length == nullptr))
       return;
     put_cage(bearing::default_cage_size(pitch->number, diameter->number,
                                         roller != nullptr ? length->number : diameter->number,
@@ -150,14 +150,14 @@ class CatalogueCase {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason =
         "default: a typical cage of a bearing of this section, guided at the outer ring";
-    put_default("bearing.cage.inner_diameter", millimetres(cage.inner_diameter), reason);
-    put_default("bearing.cage.outer_diameter", millimetres(cage.outer_diameter), reason);
-    put_default("bearing.cage.width", millimetres(cage.width), reason);
+    put_default(keys().cage_inner_diameter, millimetres(cage.inner_diameter), reason);
+    put_default(keys().cage_outer_diameter, millimetres(cage.outer_diameter), reason);
+    put_default(keys().cage_width, millimetres(cage.width), reason);
   }
 
   // Whether the bearing has both rings, and so a clearance before mounting.
   bool has_clearance_before_mounting() const {
-    const FieldValue* rings = find(catalogue_keys::kRings);
+    const FieldValue* rings = find(keys().rings);
     return entry_ != nullptr && entry_->family != catalogue::Family::needle_cage &&
            (rings == nullptr || rings->given == "both");
   }
@@ -166,11 +166,10 @@ class CatalogueCase {
   // or in pairs, take that of the running bearing alone.
   void fill_state_of_stated_clearance() {
     if (entry_ == nullptr) return;
-    const bool before_mounting = has_clearance_before_mounting() &&
-                                 find("gearset.stepped_planet.teeth") == nullptr &&
-                                 find("gearset.second_planet.teeth") == nullptr;
-    const Field& running = *find_field(catalogue_keys::kState);
-    put_default(catalogue_keys::kState, before_mounting ? "unmounted" : running.default_text,
+    const bool before_mounting = has_clearance_before_mounting() && find(keys().stepped_teeth) == nullptr &&
+                                 find(keys().second_planet_teeth) == nullptr;
+    const Field& running = *find_field(keys().clearance_state);
+    put_default(keys().clearance_state, before_mounting ? "unmounted" : running.default_text,
                 "default: " + (before_mounting ? "clearance before mounting, as that of a designation's class"
                                                : running.default_reason));
   }
@@ -180,7 +179,7 @@ class CatalogueCase {
   void fill_default_class() {
     const std::string path = prefix_ + catalogue_keys::kClass;
     auto known = data_.values.find(path);
-    const auto clearance = data_.values.find(prefix_ + catalogue_keys::kClearance);
+    const auto clearance = data_.values.find(prefix_ + keys().radial_clearance);
     const bool stated = clearance != data_.values.end() && !clearance->second.from_default &&
                         clearance->second.replaced.empty();
     if (known != data_.values.end() && known->second.from_default && stated) {
@@ -189,7 +188,7 @@ class CatalogueCase {
       known = data_.values.end();
     }
     if (known == data_.values.end() && stated) return fill_state_of_stated_clearance();
-    const FieldValue* state = find(catalogue_keys::kState);
+    const FieldValue* state = find(keys().clearance_state);
     if (known != data_.values.end() || clearance != data_.values.end() || !has_clearance_before_mounting() ||
         (state != nullptr && state->given == "operating"))
       return;
@@ -204,18 +203,18 @@ class CatalogueCase {
   }
 
   void fill_class() {
-    const FieldValue *name = find(catalogue_keys::kClass), *bore = find("bearing.bore");
+    const FieldValue *name = find(catalogue_keys::kClass), *bore = find(keys().bore);
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
     const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
     try {
-      const FieldValue* angle = find("bearing.contact_angle");
+      const FieldValue* angle = find(keys().contact_angle);
       const catalogue::ClearanceRange range =
           catalogue::clearance_range(family_of(entry_, model_, angle != nullptr && angle->number != 0.0),
                                      class_of(name->given), diameter);
-      put(catalogue_keys::kClearance, fmt::format("{:g} um", per_micro * range.middle()),
+      put(keys().radial_clearance, fmt::format("{:g} um", per_micro * range.middle()),
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
                       per_micro * range.least, per_micro * range.most));
-      put_default(catalogue_keys::kState, "unmounted",
+      put_default(keys().clearance_state, "unmounted",
                   "default: a clearance class is for an unmounted bearing");
     } catch (const std::invalid_argument&) {  // reported by check_catalogue_bearing()
     }
@@ -223,7 +222,7 @@ class CatalogueCase {
 
   // Each seat by its class.
   void fill_seats() {
-    for (const Seat& seat : kSeats) {
+    for (const Seat& seat : seats()) {
       const FieldValue *name = find(seat.tolerance), *size = find(seat.diameter);
       if (name == nullptr || size == nullptr) continue;
       try {
@@ -239,9 +238,9 @@ class CatalogueCase {
   // Material by the designation, where a cage has neither a stated material nor a stated density.
   void fill_named_material() {
     if (entry_ == nullptr || (model_ & described::in_motion) == 0 ||  // others may have no cage
-        is_full(find(catalogue_keys::kComplement)))
+        is_full(find(keys().complement)))
       return;
-    if (const auto density = data_.values.find(prefix_ + catalogue_keys::kDensity);
+    if (const auto density = data_.values.find(prefix_ + keys().cage_density);
         density != data_.values.end() && !density->second.from_default)
       return;
     if (const auto named =
@@ -254,36 +253,35 @@ class CatalogueCase {
     const FieldValue* name = find(catalogue_keys::kMaterial);
     if (name == nullptr) return;
     const bearing::CageMaterial& material = bearing::cage_material(name->given);
-    put(catalogue_keys::kDensity, fmt::format("{:g} kg/m3", material.density),
+    put(keys().cage_density, fmt::format("{:g} kg/m3", material.density),
         fmt::format("default: a cage of {}", material.name));
   }
 
   // Number of rollers of a full complement where it is left out: as many as fit.
   void fill_complement() {
-    const FieldValue *complement = find(catalogue_keys::kComplement), *pitch = find("bearing.pitch_diameter"),
-                     *diameter = find("bearing.roller_diameter");
+    const FieldValue *complement = find(keys().complement), *pitch = find(keys().pitch_diameter),
+                     *diameter = find(keys().roller_diameter);
     if (!is_full(complement) || pitch == nullptr || diameter == nullptr) return;
     if (!(diameter->number < pitch->number)) return;
     const std::string most = fmt::format("{}", most_rollers(pitch->number, diameter->number));
     const std::string reason = "default: a full complement, the largest number that fits";
     if (entry_ != nullptr)
-      put(catalogue_keys::kRollers, most, reason);  // the designation's own number is that of a cage
+      put(keys().rollers, most, reason);  // the designation's own number is that of a cage
     else
-      put_default(catalogue_keys::kRollers, most, reason);
+      put_default(keys().rollers, most, reason);
   }
 
   // The pin and the bore of the planet are the races.
   void fill_rings() {
-    const FieldValue *rings = find(catalogue_keys::kRings), *pitch = find("bearing.pitch_diameter"),
-                     *diameter = find("bearing.roller_diameter"),
-                     *clearance = find(catalogue_keys::kClearance);
+    const FieldValue *rings = find(keys().rings), *pitch = find(keys().pitch_diameter),
+                     *diameter = find(keys().roller_diameter), *clearance = find(keys().radial_clearance);
     if (rings == nullptr || rings->given == "both" || pitch == nullptr || diameter == nullptr ||
         clearance == nullptr)
       return;
     const double reach = diameter->number + 0.5 * clearance->number;
-    put("bearing.bore", millimetres(pitch->number - reach), "default: the pin, on which the rollers run");
+    put(keys().bore, millimetres(pitch->number - reach), "default: the pin, on which the rollers run");
     if (rings->given == "none")
-      put("bearing.outside_diameter", millimetres(pitch->number + reach),
+      put(keys().outside_diameter, millimetres(pitch->number + reach),
           "default: the bore of the planet, in which the rollers run");
   }
 
@@ -301,7 +299,7 @@ void fill_from_catalogue(CaseData& data, Model model) {
 }
 
 bool is_full_complement(const ResolvedCase& in, const std::string& set) {
-  const std::string path = set + catalogue_keys::kComplement;
+  const std::string path = set + keys().complement;
   return in.has(path) && in.choice(path) == "full";
 }
 

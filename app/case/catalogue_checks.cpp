@@ -9,6 +9,7 @@
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_lines.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 
 namespace orbearing::app {
@@ -115,10 +116,9 @@ void check_designation(CheckedCase& in) {
     return add_error(
         fmt::format("'{}', a bearing of {}", name, rollers ? "rollers" : "balls"),
         rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required");
-  if (entry->family == catalogue::Family::needle_cage && in.has(catalogue_keys::kRings) &&
-      in.choice(catalogue_keys::kRings) != "none")
-    in.add_error_at(catalogue_keys::kRings,
-                    fmt::format("{} together with {}", in.choice(catalogue_keys::kRings), name),
+  if (entry->family == catalogue::Family::needle_cage && in.has(keys().rings) &&
+      in.choice(keys().rings) != "none")
+    in.add_error_at(keys().rings, fmt::format("{} together with {}", in.choice(keys().rings), name),
                     "none is required: needles in a cage run on the pin and in the planet");
   try {
     (void)known_inside(*entry);
@@ -129,9 +129,9 @@ void check_designation(CheckedCase& in) {
 
 // Ratings of a line are those of steel, as are the formulas of the standards.
 void check_rated_material(CheckedCase& in) {
-  const char* modulus = "material.youngs_modulus";
+  const std::string& modulus = keys().modulus;
   constexpr double softest = 190e9, stiffest = 225e9;  // [Pa]  of steels
-  if (line_of(in) == nullptr || !is_stated(in, modulus) || is_stated(in, catalogue_keys::kDynamic)) return;
+  if (line_of(in) == nullptr || !is_stated(in, modulus) || is_stated(in, keys().dynamic_capacity)) return;
   if (const double stated = in.quantity(modulus); stated < softest || stated > stiffest)
     in.add_error_at(modulus,
                     fmt::format("{} together with {}, whose ratings are those of steel", in.given(modulus),
@@ -151,13 +151,13 @@ void check_class(CheckedCase& in) {
     in.add_error_at(catalogue_keys::kClass, std::move(found), std::move(required));
   };
   // A class that its table does not have leaves the default, which is no mistake of the case.
-  const auto state = in.assumed().find(catalogue_keys::kState);
+  const auto state = in.assumed().find(keys().clearance_state);
   const bool stated = state == in.assumed().end();
-  if (stated && in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
+  if (stated && in.has(keys().clearance_state) && in.choice(keys().clearance_state) == "operating")
     add_error("a clearance class together with bearing.clearance_state: operating",
               "bearing.clearance_state: unmounted, or a radial clearance instead of the class, is required. "
               "A class is for an unmounted bearing");
-  if (in.has(catalogue_keys::kRings) && in.choice(catalogue_keys::kRings) != "both")
+  if (in.has(keys().rings) && in.choice(keys().rings) != "both")
     add_error("a clearance class of a bearing without both rings",
               "bearing.radial_clearance, of pin, rollers and bore together, is required");
   const std::optional<double> bore = bore_of(in);
@@ -173,7 +173,7 @@ void check_class(CheckedCase& in) {
 }
 
 void check_seats(CheckedCase& in) {
-  for (const Seat& seat : kSeats) {
+  for (const Seat& seat : seats()) {
     if (!has_all(in, {seat.tolerance, seat.diameter})) continue;
     try {
       (void)catalogue::shaft_deviations("h6", in.quantity(seat.diameter));
@@ -187,18 +187,16 @@ void check_seats(CheckedCase& in) {
 
 void check_complement(CheckedCase& in) {
   if (!is_full_complement(in) ||
-      !has_all(in, {catalogue_keys::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
+      !has_all(in, {keys().rollers, keys().pitch_diameter, keys().roller_diameter}))
     return;
-  const double pitch = in.quantity("bearing.pitch_diameter"),
-               diameter = in.quantity("bearing.roller_diameter");
+  const double pitch = in.quantity(keys().pitch_diameter), diameter = in.quantity(keys().roller_diameter);
   if (!(diameter < pitch)) return;
   const int most = most_rollers(pitch, diameter);
-  if (in.integer(catalogue_keys::kRollers) < most)
-    in.add_error_at(
-        catalogue_keys::kComplement,
-        fmt::format("a full complement of {} rollers with room for {} more",
-                    in.integer(catalogue_keys::kRollers), most - in.integer(catalogue_keys::kRollers)),
-        fmt::format("{} rollers, or their number left out, are required", most));
+  if (in.integer(keys().rollers) < most)
+    in.add_error_at(keys().complement,
+                    fmt::format("a full complement of {} rollers with room for {} more",
+                                in.integer(keys().rollers), most - in.integer(keys().rollers)),
+                    fmt::format("{} rollers, or their number left out, are required", most));
 }
 
 }  // namespace

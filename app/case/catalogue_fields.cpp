@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
 
@@ -33,16 +34,16 @@ Use use_of_any(std::vector<Field>& fields, const std::vector<std::string>& paths
 
 // Without inner ring the pin differs, without any the planet's bore as well.
 Use use_of_rings(std::vector<Field>& fields) {
-  const Use planet = table::row_of(fields, "bearing.outside_diameter")
-                         .use.limited(use::all, {where(catalogue_keys::kRings, {"none"})});
-  return either_of(table::row_of(fields, "bearing.bore").use, planet);
+  const Use planet =
+      table::row_of(fields, keys().outside_diameter).use.limited(use::all, {where(keys().rings, {"none"})});
+  return either_of(table::row_of(fields, keys().bore).use, planet);
 }
 
 // Use as that of the number of rollers, which it determines for a catalogue bearing. The frequencies of a
 // scratched bearing are those of its cage.
 Use use_of_complement(std::vector<Field>& fields, unsigned by_designation) {
   constexpr unsigned moving = use::planet_defect;
-  const Field* row = table::find_row(fields, catalogue_keys::kRollers);
+  const Field* row = table::find_row(fields, keys().rollers);
   if (row == nullptr) return {0, 0};
   Use rollers = row->use;
   for (unsigned* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by}) *status &= ~moving;
@@ -56,26 +57,26 @@ std::vector<Condition> given_by(std::string_view path) {
   const std::vector<std::string>& designated = paths_of_designation();
   const bool of_cage = path.starts_with("bearing.cage.");
   std::vector<Condition> by;
-  if (path == kPowerPath) return {where_given({kTorquePath}), where_given({kTorqueCurvePath})};
-  if (path == "bearing.type" || (of_cage && path != catalogue_keys::kDensity) ||
+  if (path == keys().power) return {where_given({kTorquePath}), where_given({kTorqueCurvePath})};
+  if (path == keys().bearing_type || (of_cage && path != keys().cage_density) ||
       std::find(designated.begin(), designated.end(), path) != designated.end())
     by.push_back(where_given({catalogue_keys::kDesignation}));
-  if (path == catalogue_keys::kRollers || of_cage) by.push_back(where(catalogue_keys::kComplement, {"full"}));
-  if (path == "bearing.bore") by.push_back(where(catalogue_keys::kRings, {"outer", "none"}));
-  if (path == "bearing.outside_diameter") by.push_back(where(catalogue_keys::kRings, {"none"}));
-  if (path == catalogue_keys::kClearance) by.push_back(where_given({catalogue_keys::kClass}));
-  if (path == catalogue_keys::kDensity) by.push_back(where_given({catalogue_keys::kMaterial}));
-  if (path == catalogue_keys::kInnerFit) by.push_back(where_given({catalogue_keys::kPinClass}));
-  if (path == catalogue_keys::kOuterFit) by.push_back(where_given({catalogue_keys::kPlanetClass}));
+  if (path == keys().rollers || of_cage) by.push_back(where(keys().complement, {"full"}));
+  if (path == keys().bore) by.push_back(where(keys().rings, {"outer", "none"}));
+  if (path == keys().outside_diameter) by.push_back(where(keys().rings, {"none"}));
+  if (path == keys().radial_clearance) by.push_back(where_given({catalogue_keys::kClass}));
+  if (path == keys().cage_density) by.push_back(where_given({catalogue_keys::kMaterial}));
+  if (path == keys().inner_interference) by.push_back(where_given({catalogue_keys::kPinClass}));
+  if (path == keys().outer_interference) by.push_back(where_given({catalogue_keys::kPlanetClass}));
   return by;
 }
 
 const std::vector<std::string>& paths_of_designation() {
-  static const std::vector<std::string> paths{catalogue_keys::kRollers,   "bearing.roller_diameter",
-                                              "bearing.roller_length",    "bearing.balls",
-                                              "bearing.ball_diameter",    "bearing.contact_angle",
-                                              "bearing.pitch_diameter",   "bearing.bore",
-                                              "bearing.outside_diameter", "bearing.width"};
+  static const std::vector<std::string> paths{keys().rollers,          keys().roller_diameter,
+                                              keys().roller_length,    keys().balls,
+                                              keys().ball_diameter,    keys().contact_angle,
+                                              keys().pitch_diameter,   keys().bore,
+                                              keys().outside_diameter, keys().width};
   return paths;
 }
 
@@ -83,15 +84,16 @@ namespace table {
 
 void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned by_complement) {
   using namespace catalogue_keys;
-  const auto use_of = [&](const char* path) {
+  const auto use_of = [&](const std::string& path) {
     const Field* field = find_row(fields, path);
     return field == nullptr ? Use(0, 0) : field->use;
   };
   std::vector<std::string> designated = paths_of_designation();
-  designated.emplace_back(kDynamic);
+  designated.emplace_back(keys().dynamic_capacity);
   const Use by_designation = use_of_any(fields, designated);
-  const Condition caged = where(kComplement, {"caged"}), with_both_rings = where(kRings, {"both"}),
-                  with_outer_ring = where(kRings, {"both", "outer"});
+  const Condition caged = where(keys().complement, {"caged"}),
+                  with_both_rings = where(keys().rings, {"both"}),
+                  with_outer_ring = where(keys().rings, {"both", "outer"});
   std::vector<Field> added;
   Rows bought(added, with_rollers | with_balls), planets(added, planetary_drivetrain);
   bought.text(
@@ -105,41 +107,42 @@ void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned 
               by_designation.when(where_given({kDesignation})));
   Rows(added, with_rollers | single_ball_bearing)
       .choice(kClass, "clearance class of the unmounted bearing, ISO 5753; the middle of its range is used",
-              use_of_any(fields, {kClearance}), choices_of<catalogue::ClearanceClass>());
+              use_of_any(fields, {keys().radial_clearance}), choices_of<catalogue::ClearanceClass>());
   planets.choice(
       kPinClass,
       "tolerance class (ISO 286) of the pin under the inner ring, instead of its interference: mean "
       "interference with a bearing of normal accuracy",
-      use_of(kInnerFit).when(with_both_rings), catalogue::shaft_classes());
+      use_of(keys().inner_interference).when(with_both_rings), catalogue::shaft_classes());
   planets.choice(kPlanetClass,
                  "tolerance class (ISO 286) of the planet's bore around the outer ring, instead of its "
                  "interference: mean interference with a bearing of normal accuracy",
-                 use_of(kOuterFit).when(with_outer_ring), catalogue::hole_classes());
+                 use_of(keys().outer_interference).when(with_outer_ring), catalogue::hole_classes());
   Rows(added, with_rollers | described::balls_in_time)
       .choice(kMaterial, "material of the cage, instead of its density",
-              use_of_any(fields, {kDensity}).when(caged), {"polyamide", "steel", "brass", "aluminium"});
+              use_of_any(fields, {keys().cage_density}).when(caged),
+              {"polyamide", "steel", "brass", "aluminium"});
   Rows(added, with_rollers)
-      .choice(kComplement, "rollers separated by a cage, or in contact with one another",
+      .choice(keys().complement, "rollers separated by a cage, or in contact with one another",
               use_of_complement(fields, by_complement), {"caged", "full"})
       .by_default("caged", "as most catalogue bearings");
 
-  if (Field* rings = find_row(fields, kRings)) rings->use = use_of_rings(fields);
+  if (Field* rings = find_row(fields, keys().rings)) rings->use = use_of_rings(fields);
   const auto limit = [&](const std::string& path, const Condition& condition) {
     if (Field* field = find_row(fields, path)) field->under(condition);
   };
   for (const std::string& path : paths_of_designation()) limit(path, where_absent(kDesignation));
-  limit(kClearance, where_absent(kClass));
-  limit(kDensity, where_absent(kMaterial));
-  limit(kInnerFit, where_absent(kPinClass));
-  limit(kOuterFit, where_absent(kPlanetClass));
+  limit(keys().radial_clearance, where_absent(kClass));
+  limit(keys().cage_density, where_absent(kMaterial));
+  limit(keys().inner_interference, where_absent(kPinClass));
+  limit(keys().outer_interference, where_absent(kPlanetClass));
   for (Field& field : fields)
     if (field.path.starts_with("bearing.cage.")) field.under(caged);
-  limit("bearing.bore", with_both_rings);
-  limit("bearing.outside_diameter", with_outer_ring);
-  limit(kInnerFit, with_both_rings);
-  limit("bearing.temperature.inner_ring", with_both_rings);
-  limit(kOuterFit, with_outer_ring);
-  limit("bearing.temperature.outer_ring", with_outer_ring);
+  limit(keys().bore, with_both_rings);
+  limit(keys().outside_diameter, with_outer_ring);
+  limit(keys().inner_interference, with_both_rings);
+  limit(keys().inner_ring_temperature, with_both_rings);
+  limit(keys().outer_interference, with_outer_ring);
+  limit(keys().outer_ring_temperature, with_outer_ring);
   for (Field& field : added)
     if ((field.models &= models) != 0) fields.push_back(std::move(field));
 }

@@ -7,16 +7,10 @@
 namespace orbearing::app {
 
 namespace catalogue_keys {
+// Those that are no members of a machine: values of members follow from them.
 inline constexpr const char *kDesignation = "bearing.designation", *kCatalogue = "bearing.catalogue",
-                            *kDynamic = "bearing.dynamic_capacity", *kStatic = "bearing.static_capacity",
-                            *kLimit = "bearing.fatigue_load_limit", *kClass = "bearing.clearance_class",
-                            *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
-                            *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
-                            *kRings = "bearing.rings", *kRollers = "bearing.rollers",
-                            *kDensity = "bearing.cage.density", *kPinClass = "bearing.fit.pin_class",
-                            *kPlanetClass = "bearing.fit.planet_class",
-                            *kInnerFit = "bearing.fit.inner_interference",
-                            *kOuterFit = "bearing.fit.outer_interference";
+                            *kClass = "bearing.clearance_class", *kMaterial = "bearing.cage.material",
+                            *kPinClass = "bearing.fit.pin_class", *kPlanetClass = "bearing.fit.planet_class";
 }  // namespace catalogue_keys
 
 /// Inputs that follow where `bearing.designation` is given. Ratings are not among them: stated ratings

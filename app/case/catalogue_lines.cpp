@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/case/catalogue_file.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 #include "mechanics/constants.hpp"
 
@@ -36,6 +37,14 @@ catalogue::Family family_of(const catalogue::Entry* entry, unsigned model, bool 
   if (entry != nullptr) return entry->family;
   if ((model & with_rollers) != 0) return catalogue::Family::cylindrical;
   return has_contact_angle ? catalogue::Family::angular_contact : catalogue::Family::deep_groove;
+}
+
+const std::array<Seat, 2>& seats() {
+  static const std::array<Seat, 2> both{
+      {{catalogue_keys::kPinClass, keys().bore, keys().inner_interference, catalogue::inner_interference},
+       {catalogue_keys::kPlanetClass, keys().outside_diameter, keys().outer_interference,
+        catalogue::outer_interference}}};
+  return both;
 }
 
 const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
@@ -105,9 +114,9 @@ std::vector<std::string> designations_of(const FieldValue* table, bool rollers) 
 }
 
 std::array<PrintedRating, 3> ratings_of(const catalogue::Entry& entry) {
-  return {{{catalogue_keys::kDynamic, entry.dynamic_rating},
-           {catalogue_keys::kStatic, entry.static_rating},
-           {catalogue_keys::kLimit, entry.fatigue_load_limit}}};
+  return {{{keys().dynamic_capacity, entry.dynamic_rating},
+           {keys().static_capacity, entry.static_rating},
+           {keys().fatigue_load_limit, entry.fatigue_load_limit}}};
 }
 
 std::optional<NamedCage> cage_of(const FieldValue* table, const std::string& designation) {
@@ -131,7 +140,7 @@ std::string newtons(double force) {
 }
 
 double exponent_of_number(std::string_view rating) {
-  return rating == catalogue_keys::kDynamic ? 0.75 : 1.0;
+  return rating == keys().dynamic_capacity ? 0.75 : 1.0;
 }
 
 double with_rollers_instead(const PrintedRating& rating, const catalogue::Inside& inside, int rollers) {
@@ -140,12 +149,12 @@ double with_rollers_instead(const PrintedRating& rating, const catalogue::Inside
 }
 
 catalogue::Family family_of(const ResolvedCase& in) {
-  return family_of(line_of(in), in.model(), is_nonzero(in, "bearing.contact_angle"));
+  return family_of(line_of(in), in.model(), is_nonzero(in, keys().contact_angle));
 }
 
 std::optional<double> bore_of(const ResolvedCase& in) {
   if (const catalogue::Entry* entry = line_of(in)) return entry->bore;
-  return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
+  return in.has(keys().bore) ? std::optional<double>(in.quantity(keys().bore)) : std::nullopt;
 }
 
 }  // namespace orbearing::app::catalogue_lines

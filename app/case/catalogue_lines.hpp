@@ -10,6 +10,7 @@
 
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
 #include "bearing/catalogue/entries.hpp"
@@ -26,13 +27,11 @@ catalogue::ClearanceClass class_of(const std::string& name);
 
 /// Seat of a bearing by a tolerance class instead of an interference.
 struct Seat {
-  const char *tolerance, *diameter, *interference;
+  std::string tolerance, diameter, interference;  // keys of inputs
   catalogue::Deviations (*range)(std::string_view tolerance, double diameter);
 };
-inline constexpr std::array<Seat, 2> kSeats{
-    {{catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit, catalogue::inner_interference},
-     {catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
-      catalogue::outer_interference}}};
+/// Of the inner ring on its pin, and of the outer ring in its planet.
+const std::array<Seat, 2>& seats();
 
 /// By its line, if any, or as a case states it.
 catalogue::Family family_of(const catalogue::Entry* entry, unsigned model, bool has_contact_angle);
@@ -70,7 +69,7 @@ std::vector<std::string> designations_of(const FieldValue* table, bool rollers);
 
 /// Ratings of a bearing that a line prints, by the inputs that may state others; 0: not printed.
 struct PrintedRating {
-  const char* path;
+  std::string path;
   double value;  // [N]
 };
 std::array<PrintedRating, 3> ratings_of(const catalogue::Entry& entry);

@@ -6,6 +6,7 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_file.hpp"
 #include "app/case/catalogue_lines.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -37,7 +38,7 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
     rows.push_back(
         {"bearing.clearance_class.most", per_micro * range.most, "um", "of bearings of this class"});
   }
-  for (const Seat& seat : kSeats) {
+  for (const Seat& seat : seats()) {
     if (!has_all(in, {seat.tolerance, seat.diameter})) continue;
     const catalogue::Deviations range = seat.range(in.choice(seat.tolerance), in.quantity(seat.diameter));
     const std::string interference = seat.interference;
@@ -64,7 +65,7 @@ using bearing::friction::TorqueFamily;
 TorqueFamily family_of(const ResolvedCase& in, const catalogue::Entry* entry) {
   if (in.model() & with_rollers)
     return is_full_complement(in) ? TorqueFamily::full_complement : TorqueFamily::cylindrical;
-  const double angle = entry != nullptr ? entry->contact_angle : in.quantity("bearing.contact_angle");
+  const double angle = entry != nullptr ? entry->contact_angle : in.quantity(keys().contact_angle);
   return angle == 0.0 ? TorqueFamily::deep_groove : TorqueFamily::angular_contact;
 }
 
@@ -93,10 +94,10 @@ std::optional<BearingSize> size_of(const ResolvedCase& in) {
     size.outside = entry->outside;
     size.width = entry->width;
     put_series(in.text(catalogue_keys::kDesignation), size);
-  } else if (has_all(in, {"bearing.bore", "bearing.outside_diameter", "bearing.width"})) {
-    size.bore = in.quantity("bearing.bore");
-    size.outside = in.quantity("bearing.outside_diameter");
-    size.width = in.quantity("bearing.width");
+  } else if (has_all(in, {keys().bore, keys().outside_diameter, keys().width})) {
+    size.bore = in.quantity(keys().bore);
+    size.outside = in.quantity(keys().outside_diameter);
+    size.width = in.quantity(keys().width);
   } else {
     return std::nullopt;
   }

@@ -9,6 +9,7 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_file.hpp"
 #include "app/case/catalogue_lines.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 #include "app/units.hpp"
 
@@ -86,9 +87,8 @@ void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const 
             "{}: {} as stated is that of {} with {} rollers in a cage; {} rollers without a cage have {}. "
             "Leave it out unless it is meant",
             path, in.given(path), name_of(entry, in.text(set + catalogue_keys::kDesignation)),
-            known_inside(entry).elements, in.integer(set + catalogue_keys::kRollers),
-            newtons(with_rollers_instead(rating, known_inside(entry),
-                                         in.integer(set + catalogue_keys::kRollers)))));
+            known_inside(entry).elements, in.integer(set + keys().rollers),
+            newtons(with_rollers_instead(rating, known_inside(entry), in.integer(set + keys().rollers)))));
       continue;
     }
     warnings.push_back(fmt::format(
@@ -109,9 +109,9 @@ std::vector<std::string> stated_beside_designation(const ResolvedCase& resolved,
     const std::string set = set_of(path);
     if (path != set + catalogue_keys::kDesignation && path != set + catalogue_keys::kCatalogue) continue;
     std::vector<std::string> kept;
-    for (const char* one : {catalogue_keys::kDynamic, catalogue_keys::kStatic, catalogue_keys::kLimit,
-                            "bearing.cage.inner_diameter", "bearing.cage.outer_diameter",
-                            "bearing.cage.width", "bearing.cage.guide_land_diameter"})
+    for (const std::string& one :
+         {keys().dynamic_capacity, keys().static_capacity, keys().fatigue_load_limit,
+          keys().cage_inner_diameter, keys().cage_outer_diameter, keys().cage_width, keys().guide_land})
       if (is_stated(resolved, set + one) && !is_varied(set + one)) kept.push_back(set + one);
     if (!kept.empty())
       messages.push_back(
@@ -157,9 +157,9 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
     add_other_cage(resolved, set, warnings);
     add_table_without_effect(resolved, set, warnings);
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
-    if (const std::string rings = set + catalogue_keys::kRings;
-        resolved.has(rings) && resolved.choice(rings) != "both" &&
-        entry->family != catalogue::Family::needle_cage)
+    if (const std::string rings = set + keys().rings; resolved.has(rings) &&
+                                                      resolved.choice(rings) != "both" &&
+                                                      entry->family != catalogue::Family::needle_cage)
       warnings.push_back(
           fmt::format("{}: {}; ratings of {} are for its own rings. They hold where pin and planet have "
                       "raceways as hard and as smooth, of bearing steel",

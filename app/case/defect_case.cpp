@@ -7,6 +7,7 @@
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
 #include "app/errors.hpp"
 #include "bearing/defect/scratch.hpp"
@@ -17,40 +18,40 @@ namespace orbearing::app {
 namespace {
 
 void check_planet_surface(CheckedCase& in) {
-  if (!in.has("defect.race")) return;
-  const double diameter = in.has("bearing.roller_diameter") ? in.quantity("bearing.roller_diameter") : 0.0;
+  if (!in.has(keys().scratched)) return;
+  const double diameter = in.has(keys().roller_diameter) ? in.quantity(keys().roller_diameter) : 0.0;
   const auto scratch = from_case<bearing::defect::Scratch>(in);
   for (const mechanics::Problem& problem : analysis::problems(scratch, true, diameter))
     in.add_error(problem.key, problem.text);
   if (scratch.race != bearing::defect::Scratched::none &&
       scratch.form == bearing::ScratchForm::literature_variant)
-    in.add_error_at("defect.form", "'as-printed', which jumps at both edges",
+    in.add_error_at(keys().scratch_form, "'as-printed', which jumps at both edges",
                     "a continuous form is required where all of the bearing moves");
 }
 
 // Mistakes in the location of the scratch, for the set with the scratched bearing, whose inputs have `prefix`
 // in the case.
 void check_location(CheckedCase& in, const std::string& prefix) {
-  const auto at_most = [&](const char* path, const char* count) {
+  const auto at_most = [&](const std::string& path, const std::string& count) {
     if (has_all(in, {path, count}) && in.integer(path) > in.integer(count))
       in.add_error_at(path, in.given(path),
                       fmt::format("at most {} ({}{}) is required", in.integer(count), prefix, count));
   };
-  at_most("defect.planet", "gearset.planets");
-  at_most("defect.bearing", "bearing.per_planet");
-  at_most("defect.element", "bearing.rollers");
+  at_most(keys().scratched_planet, keys().planets);
+  at_most(keys().scratched_bearing, keys().per_planet);
+  at_most(keys().scratched_element, keys().rollers);
   const auto band = machine_of<analysis::EnvelopeBand>(in);
   for (const mechanics::Problem& problem : analysis::problems(band, in.quantity("signal.sampling_rate")))
     in.add_error(problem.key, problem.text);
 }
 
 void check_planet_defect(CheckedCase& in, const std::string& prefix) {
-  if (in.has("defect.race") && in.has("gearset.second_planet.teeth"))
-    in.add_error_at("gearset.second_planet.teeth", "planets in pairs together with defect",
+  if (in.has(keys().scratched) && in.has(keys().second_planet_teeth))
+    in.add_error_at(keys().second_planet_teeth, "planets in pairs together with defect",
                     "a case without it is required");
-  if (!in.has("defect.race"))
+  if (!in.has(keys().scratched))
     in.mistakes.push_back(
-        {{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
+        {{}, keys().scratched, {"a block defect without it", "outer, inner, roller or none is required"}});
   check_planet_surface(in);
   check_location(in, prefix);
 }

@@ -6,9 +6,11 @@
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_rows.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/part_of_data.hpp"
+#include "app/case/profile_case.hpp"
 #include "app/case/requirements_case.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -53,8 +55,8 @@ using Rule = std::optional<WrittenDefault> (*)(const ValuesOfSet&);
 
 // No maker's roller has a sharp end.
 std::optional<WrittenDefault> roller_profile(const ValuesOfSet& value) {
-  if (!value.has("bearing.rollers") || !value.has("bearing.type") ||
-      value.choice("bearing.type") == "spherical-roller")
+  if (!value.has(keys().rollers) || !value.has(keys().bearing_type) ||
+      value.choice(keys().bearing_type) == "spherical-roller")
     return std::nullopt;
   return WrittenDefault{"iso16281",
                         "reference profile of ISO/TS 16281, since catalogue rollers have relieved ends; "
@@ -64,19 +66,19 @@ std::optional<WrittenDefault> roller_profile(const ValuesOfSet& value) {
 std::optional<WrittenDefault> life_method(const ValuesOfSet& value) {
   const bool required =
       std::ranges::any_of(requirement_paths(), [&](const std::string& path) { return value.has(path); });
-  if (!required && !value.has("bearing.dynamic_capacity")) return std::nullopt;
+  if (!required && !value.has(keys().dynamic_capacity)) return std::nullopt;
   return WrittenDefault{"iso-16281", required ? "a requirement is stated" : "the rating C is known"};
 }
 
 bool oil_is_stated(const ValuesOfSet& value) {
-  const auto is_stated = [&](std::string_view path) { return value.has(path); };
-  return std::ranges::any_of(kCleanlinessPaths, is_stated) || std::ranges::any_of(kViscosityPaths, is_stated);
+  return value.has(keys().contamination_factor) || value.has(keys().cleanliness) ||
+         value.has(keys().viscosity_ratio) || value.has(keys().kinematic_viscosity);
 }
 
 std::optional<WrittenDefault> required_life(const ValuesOfSet& value) {
-  if (!value.has("requirements.life") || !value.has("life.method")) return std::nullopt;
+  if (!value.has("requirements.life") || !value.has(keys().life_method)) return std::nullopt;
   const bearing::rating::Life life = bearing::rating::governing_life(
-      *value_named<bearing::rating::LifeMethod>(value.choice("life.method")), oil_is_stated(value));
+      *value_named<bearing::rating::LifeMethod>(value.choice(keys().life_method)), oil_is_stated(value));
   return WrittenDefault{bearing::rating::hours_key(life), "the governing life, by life.method"};
 }
 
@@ -88,13 +90,13 @@ std::optional<WrittenDefault> minimum_load(const ValuesOfSet& value) {
 
 // Who states the error of a step gets that one.
 std::optional<WrittenDefault> load_error_share(const ValuesOfSet& value) {
-  if (!value.given("simulation.length_error")) return std::nullopt;
+  if (!value.given(keys().length_error)) return std::nullopt;
   return WrittenDefault{"0", "simulation.length_error is given"};
 }
 
 // Who states the sliding speed gets that one.
 std::optional<WrittenDefault> sliding_share(const ValuesOfSet& value) {
-  if (!value.given("traction.sliding_scale")) return std::nullopt;
+  if (!value.given(keys().sliding_scale)) return std::nullopt;
   return WrittenDefault{"0", "traction.sliding_scale is given"};
 }
 
@@ -138,15 +140,15 @@ std::vector<DefaultRule> all_rules() {
       RowsOf<PocketClearance, PocketStiffness, TouchDownStiffness, GuideLand, PocketDamping, SunSupport,
              RingSupport, CarrierSupport, Backlash, SunTilt, SunAxial, FlexpinDiameter, PinStiffness>());
   for (const DefaultRule& rule : std::initializer_list<DefaultRule>{
-           {"bearing.profile.kind", roller_profile, Needed::at_rest_too,
+           {kProfileKind, roller_profile, Needed::at_rest_too,
             "iso16281: catalogue rollers have relieved ends; straight ones state straight"},
-           {"life.method", life_method, Needed::at_rest_too,
+           {keys().life_method, life_method, Needed::at_rest_too,
             "iso-16281, where C is known from the catalogue or stated, or a requirement is"},
            {"requirements.life_key", required_life, Needed::at_rest_too,
             "the governing life, where requirements.life is given"},
-           {"simulation.load_error_share", load_error_share, Needed::at_times,
+           {keys().load_error_share, load_error_share, Needed::at_times,
             "0, where simulation.length_error is given"},
-           {"traction.sliding_share", sliding_share, Needed::at_rest_too,
+           {keys().sliding_share, sliding_share, Needed::at_rest_too,
             "0, where traction.sliding_scale is given"},
            {kMinimumLoadPath, minimum_load, Needed::at_rest_too,
             "0.02, where spectrum is given: makers' rule of thumb for roller bearings"}})
@@ -194,7 +196,7 @@ void fill_derived_defaults(CaseData& data) {
   if (found == data.values.end()) return;
   const Model model =
       specific_model(model_of(found->second.value.given), data.values.contains("simulation.duration"),
-                     data.values.contains("bearing.rollers"));
+                     data.values.contains(keys().rollers));
   fill_from_catalogue(data, model);
   fill_from_grade(data, model);
   if ((model & planetary_drivetrain) != 0) fill_from_torque(data);

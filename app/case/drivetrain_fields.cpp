@@ -2,6 +2,7 @@
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "gearset/parameters.hpp"
@@ -15,7 +16,7 @@ namespace {
 // Torque, or torque over speed, instead of the power, with the same use; and a load spectrum.
 void add_duty(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
-  const Use use = row_of(fields, kPowerPath).use;
+  const Use use = row_of(fields, keys().power).use;
   constexpr int load = 1, time = 2;  // groups of columns of which a row has one
   rows.quantity(kTorquePath,
                 "torque on the shaft whose speed is input.speed, instead of input.power; a sweep over speed "
@@ -47,8 +48,8 @@ void add_bodies(std::vector<Field>& fields) {
           .used_too(use::quasi_static, where_planets_carry_unlike_loads());
   const Use planet =
       Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
-          .when(where_absent("bearing.rollers"))
-          .when(where_absent("bearing.balls"));
+          .when(where_absent(keys().rollers))
+          .when(where_absent(keys().balls));
   rows.number("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
               {0.02, 0.98})
       .by_default("0.5", "a sun on a shaft; affects mesh stiffness and mass of the sun");
@@ -56,7 +57,7 @@ void add_bodies(std::vector<Field>& fields) {
               "outside diameter of the ring, where it is held, as a multiple of its root diameter", bodies,
               {1.005, 20.0})
       .by_default("1.15", "a rim of some five modules; affects mesh stiffness and mass of the ring");
-  rows.number("gearset.planet_bore_ratio",
+  rows.number(keys().planet_bore_ratio,
               "bore of a planet without a stated bearing, as a share of module x (teeth - 2.5)", planet,
               {0.02, 0.98})
       .by_default("0.7", "room for roller bearings under a rim of a few modules");
@@ -120,7 +121,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   add_default_shifts(fields);
   add_described(fields, gearset::SecondPlanet{});
   add_described(fields, gearset::spatial::CarrierMounting{});
-  row_of(fields, "gearset.carrier.housing_stiffness").from_file = true;
+  row_of(fields, keys().housing_stiffness).from_file = true;
   add_bodies(fields);
   add_checks(fields);
   add_described(fields, default_gears());

@@ -49,8 +49,7 @@ void add_oil_fields(std::vector<Field>& fields, unsigned models);
 void add_case_fields(std::vector<Field>& fields, unsigned models, const Use& use);
 void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& use);
 
-/// Member that the profile of the rollers is, and uses of its inputs.
-inline constexpr std::string_view profile_member = "bearing.profile";
+/// Uses of the inputs of the rollers' profile.
 struct ProfileUses {
   Use kind, shape, depth, table;
   unsigned all;        // analyses with a profile
@@ -58,8 +57,6 @@ struct ProfileUses {
 };
 void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses);
 
-/// Member that the grade of the oil is.
-inline constexpr std::string_view oil_member = "lubricant.grade";
 void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use);
 
 /// `crown`: analyses that optimize the life which a requirement selects.

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "app/case/described_fields.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_rows.hpp"
 
@@ -134,7 +135,7 @@ std::size_t set_prefix_length(std::string_view path) {
 }
 
 bool is_of_one_set(const Field& field) {
-  return field.path == "gearset.fixed" || field.path == "input.member";
+  return field.path == keys().fixed_member || field.path == keys().driven_member;
 }
 
 bool in_each_set(const Field& field) {

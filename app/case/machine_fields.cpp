@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/case/field_rows.hpp"
+#include "app/case/input_keys.hpp"
 
 namespace orbearing::app {
 
@@ -142,17 +143,16 @@ UsesOfModel uses_of(Model model, const MachineFields& of_machine) {
 // A grade replaces viscosities.
 void add_grade(std::vector<Field>& fields, unsigned model, const Use& use) {
   table::add_grade_fields(fields, model, use);
-  for (const char* path :
-       {"lubricant.viscosity", "lubricant.pressure_viscosity", "lubricant.kinematic_viscosity"})
-    if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent("lubricant.grade"));
+  for (const std::string& path : {keys().viscosity, keys().pressure_viscosity, keys().kinematic_viscosity})
+    if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent(keys().oil_grade));
 }
 
 // Inputs of app/case, by the uses of the members that they state.
 void add_inputs_of(const Field& holder, const UsesOfModel& uses, std::vector<Field>& fields) {
   const unsigned model = holder.models;
-  if (holder.path == table::profile_member)
+  if (holder.path == keys().profile)
     table::add_profile_fields(fields, model, {holder.use, holder.use, holder.use, holder.use, uses.all});
-  if (holder.path == table::oil_member) add_grade(fields, model, holder.use);
+  if (holder.path == keys().oil_grade) add_grade(fields, model, holder.use);
 }
 
 std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
@@ -161,8 +161,8 @@ std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
     for (Field& field : *fields) field.use = uses.by_path.at(field.path).joined(field.use);
   std::vector<Field>& fields = of_machine.fields;
   for (const Field& holder : of_machine.holders) add_inputs_of(holder, uses, fields);
-  const Field* viscosity = table::find_row(fields, "lubricant.viscosity");
-  if (viscosity != nullptr && table::find_row(fields, table::oil_member) == nullptr)
+  const Field* viscosity = table::find_row(fields, keys().viscosity);
+  if (viscosity != nullptr && table::find_row(fields, keys().oil_grade) == nullptr)
     add_grade(fields, model, Use(viscosity->use));
   table::add_case_fields(fields, model, Use(uses.all, 0));
   table::add_bearing_type(fields, model, Use(uses.all, 0));

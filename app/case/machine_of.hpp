@@ -11,6 +11,7 @@
 #include "app/case/catalogue_quantities.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -50,7 +51,7 @@ class MachineFromCase {
     if (in_.has(facts.path)) member = is_known_oil(in_) ? graded_oil(in_) : bearing::OilGrade{};
   }
   void operator()(bearing::Lubricant& member, const described::Facts&) {
-    if (has_all(in_, {"lubricant.viscosity", "lubricant.pressure_viscosity"})) member = graded_lubricant(in_);
+    if (has_all(in_, {keys().viscosity, keys().pressure_viscosity})) member = graded_lubricant(in_);
   }
   void operator()(std::optional<bearing::friction::BearingSize>& member, const described::Facts&) {
     member = size_of(in_);
@@ -86,7 +87,7 @@ class MachineFromCase {
   // Values that always follow from others must be there. A case may have no cage.
   bool is_expected(const std::string& path) const {
     if (path.starts_with("bearing.cage.") &&
-        (!has_all(in_, {"bearing.cage.width", "bearing.cage.density"}) || goes_without_cage(in_)))
+        (!has_all(in_, {keys().cage_width, keys().cage_density}) || goes_without_cage(in_)))
       return false;
     return missing_ == Missing::refused && follows_always(path) &&
            (find_field(path)->models & in_.model()) != 0;

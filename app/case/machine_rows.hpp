@@ -211,7 +211,8 @@ struct RingOnRollers : RunOfScratches {
   static constexpr auto analyse = analysis::ring_on_rollers;
   static constexpr Model model = described::roller_defect;
   static constexpr const char* other_fidelity =
-      "none for a single scratched bearing of rollers, or a planetary drivetrain with a block 'defect', where "
+      "none for a single scratched bearing of rollers, or a planetary drivetrain with a block 'defect', "
+      "where "
       "all of its bearings move";
 };
 struct ScratchedBallsInMotion : RunOfScratches {

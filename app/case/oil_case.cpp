@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/settings.hpp"
 
@@ -47,14 +48,12 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 
 namespace {
 
-constexpr const char *kGrade = "lubricant.grade", *kIndex = "lubricant.viscosity_index",
-                     *kAt40 = "lubricant.viscosity_40", *kAt100 = "lubricant.viscosity_100",
-                     *kTemperature = "lubricant.temperature", *kDynamic = "lubricant.viscosity",
-                     *kKinematic = "lubricant.kinematic_viscosity";
+constexpr const char *kIndex = "lubricant.viscosity_index", *kAt40 = "lubricant.viscosity_40",
+                     *kAt100 = "lubricant.viscosity_100";
 
 // A field that follows from the grade: its path, its value as it would be written in a case, and why.
 struct OilProperty {
-  const char* path;
+  std::string path;
   std::string text;
   std::string reason;
 };
@@ -67,7 +66,7 @@ double viscosity_40_of(const std::string& grade) {
 // `number` gives the value of a field, and null where there is none: that of the density is used for drag.
 template <class Number>
 double density_that_counts(const Number& number) {
-  const double *density = number("lubricant.density"), *drag = number("drag.enabled");
+  const double *density = number(keys().oil_density), *drag = number(keys().drag);
   return density != nullptr && drag != nullptr && *drag != 0.0 ? *density : bearing::OilGrade{}.density;
 }
 
@@ -95,46 +94,47 @@ std::vector<OilProperty> properties_of(const std::string& grade, const bearing::
                                        double temperature) {
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
   const std::string reason = fmt::format("default: {} at {:g} degC", words_for(grade, oil), temperature);
-  return {
-      {kDynamic, fmt::format("{} Pa.s", lubricant.viscosity), reason},
-      {"lubricant.pressure_viscosity", fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity), reason},
-      {kKinematic, fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
+  return {{keys().viscosity, fmt::format("{} Pa.s", lubricant.viscosity), reason},
+          {keys().pressure_viscosity, fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity), reason},
+          {keys().kinematic_viscosity,
+           fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
 }  // namespace
 
 double oil_density(const ResolvedCase& in) {
   return density_that_counts(
-      [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
+      [&](const std::string& path) { return in.has(path) ? &in.value(path).number : nullptr; });
 }
 
 bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
-  return {.viscosity = in.quantity("lubricant.viscosity"),
-          .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")};
+  return {.viscosity = in.quantity(keys().viscosity),
+          .pressure_viscosity = in.quantity(keys().pressure_viscosity)};
 }
 
 bearing::OilGrade graded_oil(const ResolvedCase& in) {
-  return oil_by_inputs(in.choice(kGrade),
-                       [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
+  return oil_by_inputs(in.choice(keys().oil_grade), [&](const std::string& path) {
+    return in.has(path) ? &in.value(path).number : nullptr;
+  });
 }
 
 bool is_known_oil(const ResolvedCase& in) {
-  return in.choice(kGrade) != kStatedGrade || in.has(kAt40);
+  return in.choice(keys().oil_grade) != kStatedGrade || in.has(kAt40);
 }
 
 double graded_viscosity_slope(const ResolvedCase& in) {
-  return bearing::viscosity_slope(graded_oil(in), in.quantity(kTemperature));
+  return bearing::viscosity_slope(graded_oil(in), in.quantity(keys().oil_temperature));
 }
 
 void fill_from_grade(CaseData& data, Model model) {
   if (data.values.contains(kAt40))
-    put_where_absent(data, kGrade, kStatedGrade, "default: lubricant.viscosity_40 states the oil");
-  const auto grade = data.values.find(kGrade);
-  const auto number = [&](const char* path) -> const double* {
+    put_where_absent(data, keys().oil_grade, kStatedGrade, "default: lubricant.viscosity_40 states the oil");
+  const auto grade = data.values.find(keys().oil_grade);
+  const auto number = [&](const std::string& path) -> const double* {
     const auto found = data.values.find(path);
     return found == data.values.end() ? nullptr : &found->second.value.number;
   };
-  const double* temperature = number(kTemperature);
+  const double* temperature = number(keys().oil_temperature);
   if (grade == data.values.end() || temperature == nullptr) return;
   const std::string name = grade->second.value.given;
   if (name == kStatedGrade && !data.values.contains(kAt40)) return;  // reported by check_grade()
@@ -152,18 +152,18 @@ void fill_from_grade(CaseData& data, Model model) {
 }
 
 std::string stated_path(const ResolvedCase& in, const std::string& path) {
-  return path == kGrade && in.has(kAt40) ? kAt40 : path;
+  return path == keys().oil_grade && in.has(kAt40) ? kAt40 : path;
 }
 
 void check_grade(CheckedCase& in) {
   if (in.has(kAt100) && !in.has(kAt40))
     return in.add_error_at(kAt100, "a viscosity at 100 degC without that at 40 degC",
                            std::string(kAt40) + " is required with it");
-  if (!in.has(kGrade)) return;
-  const bool stated = in.choice(kGrade) == kStatedGrade;
+  if (!in.has(keys().oil_grade)) return;
+  const bool stated = in.choice(keys().oil_grade) == kStatedGrade;
   if (stated != in.has(kAt40))
     return in.add_error_at(
-        kGrade, in.choice(kGrade) + (stated ? " without " : " together with ") + kAt40,
+        keys().oil_grade, in.choice(keys().oil_grade) + (stated ? " without " : " together with ") + kAt40,
         stated ? "lubricant.viscosity_40 is required with it" : "one of the two is required");
   if (stated && in.has(kAt100)) {
     if (in.quantity(kAt100) >= in.quantity(kAt40))
@@ -175,7 +175,7 @@ void check_grade(CheckedCase& in) {
     const bearing::OilGrade oil = graded_oil(in);
     (void)bearing::viscosity_at_100(oil.viscosity_40, oil.viscosity_index);
   } catch (const std::invalid_argument& error) {
-    const char* path = stated ? kAt40 : kGrade;
+    const std::string path = stated ? kAt40 : keys().oil_grade;
     in.add_error_at(path, in.given(path), error.what());
   }
 }

@@ -24,12 +24,6 @@ void substitute(CaseData& data, const std::string& path, const std::string& text
 void put_where_absent(CaseData& data, const std::string& path, const std::string& text,
                       const std::string& reason);
 
-/// Inputs of which one states the oil or its cleanliness: then lives include a_ISO.
-inline constexpr std::array<std::string_view, 2> kCleanlinessPaths{"life.contamination_factor",
-                                                                   "life.cleanliness"};
-inline constexpr std::array<std::string_view, 2> kViscosityPaths{"life.viscosity_ratio",
-                                                                 "lubricant.kinematic_viscosity"};
-
 /// The grade of an oil whose viscosities at 40 and 100 degC the case states.
 inline constexpr const char* kStatedGrade = "stated";
 

@@ -8,6 +8,7 @@
 
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/reference_life.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 using namespace bearing::profile;
 
 const std::string kBlock = "bearing.profile.";
-const std::string kKind = kBlock + "kind";
 
 double value_or(const ResolvedCase& in, const std::string& key, double otherwise) {
   return in.has(kBlock + key) ? in.value(kBlock + key).number : otherwise;
@@ -33,8 +33,7 @@ struct Roller {
 };
 
 Roller roller_of(const ResolvedCase& in) {
-  Roller out{.length = in.quantity("bearing.roller_length"),
-             .diameter = in.quantity("bearing.roller_diameter")};
+  Roller out{.length = in.quantity(keys().roller_length), .diameter = in.quantity(keys().roller_diameter)};
   const double station = kDropPosition * 0.5 * out.length;
   const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
   out.drop = value_or(in, "drop", standard);
@@ -60,7 +59,7 @@ Table table(const ResolvedCase& in) {
 // With the depth that its own entries give it; one that has none yet is as deep at its end as it shall be at
 // kDropPosition.
 Profile own_profile(const ResolvedCase& in, const Roller& roller) {
-  const std::string& kind = in.choice(kKind);
+  const std::string& kind = in.choice(kProfileKind);
   const double l = roller.length, depth = std::max(roller.drop, 1e-9);
   if (kind == "chamfer") return Chamfer{l, value_or(in, "chamfer_length", 0.1 * l), depth};
   if (kind == "circular") return CircularCrown{l, depth};
@@ -76,7 +75,7 @@ Profile own_profile(const ResolvedCase& in, const Roller& roller) {
 
 // Kinds whose depth lies in other entries than the drop.
 bool has_own_depth(const ResolvedCase& in) {
-  const std::string& kind = in.choice(kKind);
+  const std::string& kind = in.choice(kProfileKind);
   if (kind == "straight" || kind == "table" || kind == "iso16281") return true;
   return in.has(kBlock + "design_load") &&
          (kind == "lundberg" || kind == "johns-gohar" || kind == "fujiwara-kawase");
@@ -85,11 +84,11 @@ bool has_own_depth(const ResolvedCase& in) {
 // ISO/TS 16281 has no life with fewer laminae; for straight rollers the stress riser accounts for the roller
 // ends.
 void check_laminae(CheckedCase& in) {
-  if (!has_all(in, {"bearing.laminae", "bearing.profile.kind", "life.method"})) return;
-  const int laminae = in.integer("bearing.laminae");
+  if (!has_all(in, {keys().laminae, kProfileKind, keys().life_method})) return;
+  const int laminae = in.integer(keys().laminae);
   if (laminae == 0 || laminae >= bearing::rating::kLeastRatedLaminae) return;
-  if (!in.is(kKind, "straight") || !in.is("life.method", "iso-16281")) return;
-  in.add_error_at("bearing.laminae",
+  if (!in.is(kProfileKind, "straight") || !in.is(keys().life_method, "iso-16281")) return;
+  in.add_error_at(keys().laminae,
                   fmt::format("{} laminae of straight rollers with life.method: iso-16281", laminae),
                   fmt::format("at least {} are required, as ISO/TS 16281 has L10r; or bearing.profile.kind: "
                               "iso16281; or life.method: lundberg-palmgren",
@@ -105,7 +104,7 @@ std::string first_of(const ResolvedCase& in, const std::string& block) {
 }  // namespace
 
 Profile roller_profile_of(const ResolvedCase& in) {
-  if (!in.has(kKind)) return Straight{};
+  if (!in.has(kProfileKind)) return Straight{};
   const Roller roller = roller_of(in);
   const Profile own = own_profile(in, roller);
   require_sound(own);
@@ -117,20 +116,20 @@ Profile roller_profile_of(const ResolvedCase& in) {
 
 void check_profile(CheckedCase& in) {
   const std::string misaligned = first_of(in, "bearing.misalignment.");
-  if (!misaligned.empty() && !in.has("bearing.laminae"))
+  if (!misaligned.empty() && !in.has(keys().laminae))
     in.add_error_at(misaligned, "an entry without bearing.laminae",
                     "laminae, which it acts on, are required: for instance bearing.laminae: 40");
   check_laminae(in);
   const std::string profile = first_of(in, kBlock);
-  if (!profile.empty() && !in.has(kKind))
+  if (!profile.empty() && !in.has(kProfileKind))
     in.add_error_at(profile, "a profile without bearing.profile.kind", "a kind of profile is required");
-  if (!has_all(in, {"bearing.profile.kind", "bearing.roller_length", "bearing.roller_diameter",
-                    "bearing.pitch_diameter", "bearing.radial_clearance"}))
+  if (!has_all(in, {kProfileKind, keys().roller_length, keys().roller_diameter, keys().pitch_diameter,
+                    keys().radial_clearance}))
     return;
   try {
     roller_profile_of(in);
   } catch (const std::invalid_argument& error) {
-    in.add_error(kKind, error.what());
+    in.add_error(kProfileKind, error.what());
   }
 }
 

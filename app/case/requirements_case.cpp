@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 
 namespace orbearing::app {
 
@@ -46,8 +47,8 @@ std::string requirement_path(const RequirementRow& row) {
 }
 
 bool requirements_choose_the_life(const ResolvedCase& in, std::string_view) {
-  return in.has("life.method") && in.origin("life.method") == "default" &&
-         !in.has("bearing.dynamic_capacity");
+  return in.has(keys().life_method) && in.origin(keys().life_method) == "default" &&
+         !in.has(keys().dynamic_capacity);
 }
 
 }  // namespace

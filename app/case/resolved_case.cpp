@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "mechanics/problem.hpp"
 
 namespace orbearing::app {
@@ -78,7 +79,7 @@ std::string ResolvedCase::origin(std::string_view path) const {
 
 Model ResolvedCase::model() const {
   if (!has("model")) return no_model;
-  return specific_model(model_of(choice("model")), has("simulation.duration"), has("bearing.rollers"));
+  return specific_model(model_of(choice("model")), has("simulation.duration"), has(keys().rollers));
 }
 
 ResolvedCase ResolvedCase::assuming(const std::string& path, const std::string& reason) const {
@@ -105,8 +106,8 @@ bool is_stated(const ResolvedCase& resolved, std::string_view path) {
   return resolved.has(path) && resolved.origin(path) != "default";
 }
 
-bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
-  return std::ranges::all_of(paths, [&](const char* path) { return in.has(path); });
+bool has_all(const ResolvedCase& in, std::initializer_list<std::string_view> paths) {
+  return std::ranges::all_of(paths, [&](std::string_view path) { return in.has(path); });
 }
 
 bool is_nonzero(const ResolvedCase& in, std::string_view path) {
@@ -146,8 +147,8 @@ void CheckedCase::add_error_at(const std::string& path, std::string found, std::
 
 std::vector<double> swept_speeds(const ResolvedCase& resolved) {
   for (const SweepAxis& axis : resolved.axes())
-    if (axis.path == kSpeedPath) return axis.numbers;
-  return {resolved.quantity(kSpeedPath)};
+    if (axis.path == keys().speed) return axis.numbers;
+  return {resolved.quantity(keys().speed)};
 }
 
 std::size_t sweep_size(const ResolvedCase& resolved) {
@@ -157,8 +158,8 @@ std::size_t sweep_size(const ResolvedCase& resolved) {
 }
 
 Setting input_speed(double rpm) {
-  return {kSpeedPath, fmt::format("{} rpm", rpm),
-          convert(rpm, "rpm", find_field(kSpeedPath)->dimension.si).value};
+  return {keys().speed, fmt::format("{} rpm", rpm),
+          convert(rpm, "rpm", find_field(keys().speed)->dimension.si).value};
 }
 
 std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index) {

@@ -14,14 +14,11 @@
 #include "app/case/case_shape.hpp"
 #include "app/case/field.hpp"
 #include "app/case/field_use.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/settings.hpp"
 
 namespace orbearing::app {
 
-/// The field that a sweep over speed varies.
-inline const std::string kSpeedPath = "input.speed";
-inline const std::string kSpeedOfPath = "input.speed_of";
-inline const std::string kPowerPath = "input.power";
 inline const std::string kTorquePath = "input.torque";             // instead of the power
 inline const std::string kTorqueCurvePath = "input.torque_curve";  // instead of the power
 
@@ -203,7 +200,7 @@ std::vector<Condition> given_by(std::string_view path);
 
 // Words of the checks across fields. What the case leaves out meets no condition.
 
-bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths);
+bool has_all(const ResolvedCase& in, std::initializer_list<std::string_view> paths);
 bool is_nonzero(const ResolvedCase& in, std::string_view path);  // of a quantity
 bool is_on(const ResolvedCase& in, std::string_view path);       // of a switch
 bool is_chosen(const ResolvedCase& in, std::string_view path, std::string_view choice);

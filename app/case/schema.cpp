@@ -12,6 +12,7 @@
 #include "app/case/catalogue_file.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/uncertain_case.hpp"
 
@@ -268,9 +269,9 @@ void add_distributions(Json& definitions) {
 
 Json distribution_of(const Field& field) {
   const Kind kind = field.kind == Kind::list ? field.element : field.kind;
-  const char* name = kind == Kind::number                       ? "uncertain-number"
-                     : field.path == "bearing.radial_clearance" ? "uncertain-clearance"
-                                                                : "uncertain-quantity";
+  const char* name = kind == Kind::number                    ? "uncertain-number"
+                     : field.path == keys().radial_clearance ? "uncertain-clearance"
+                                                             : "uncertain-quantity";
   return {{"$ref", fmt::format("#/$defs/{}", name)}};
 }
 

@@ -26,6 +26,7 @@ set(ORBEARING_CASE_SOURCES
   case/described_use.cpp
   case/field_use.cpp
   case/oil_fields.cpp
+  case/input_keys.cpp
   case/mistake.cpp
   case/oil_case.cpp
   case/printable.cpp

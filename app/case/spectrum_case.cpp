@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/units.hpp"
@@ -60,7 +61,9 @@ std::optional<double> torque_at(const std::vector<double>& curve, double speed) 
 }
 
 // Inputs of the duty, of which a case states one.
-constexpr std::array duty_paths{&kPowerPath, &kTorquePath, &kTorqueCurvePath};
+std::array<const std::string*, 3> duty_paths() {
+  return {&keys().power, &kTorquePath, &kTorqueCurvePath};
+}
 
 const std::string* stated_duty(const CaseData& data) {
   for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
@@ -71,8 +74,8 @@ const std::string* stated_duty(const CaseData& data) {
 }  // namespace
 
 void replace_other_duty(CaseData& data, const std::string& path) {
-  if (std::ranges::none_of(duty_paths, [&](const std::string* duty) { return *duty == path; })) return;
-  for (const std::string* other : duty_paths)
+  if (std::ranges::none_of(duty_paths(), [&](const std::string* duty) { return *duty == path; })) return;
+  for (const std::string* other : duty_paths())
     if (*other != path) {
       data.values.erase(*other);
       data.assumed.erase(*other);
@@ -82,7 +85,7 @@ void replace_other_duty(CaseData& data, const std::string& path) {
 void fill_from_torque(CaseData& data) {
   const std::string* by_option = nullptr;
   int options = 0;
-  for (const std::string* path : duty_paths)
+  for (const std::string* path : duty_paths())
     if (const auto found = data.values.find(*path);
         found != data.values.end() && !found->second.from_default && found->second.location.option) {
       by_option = path;
@@ -90,18 +93,18 @@ void fill_from_torque(CaseData& data) {
     }
   if (options == 1) replace_other_duty(data, *by_option);
   const std::string* path = stated_duty(data);
-  const auto speed = data.values.find(kSpeedPath);
+  const auto speed = data.values.find(keys().speed);
   if (path == nullptr || speed == data.values.end()) return;
   const FieldValue& value = data.values.at(*path).value;
   const double at = speed->second.value.number;
   const std::optional<double> torque = *path == kTorquePath ? value.number : torque_at(value.list, at);
   if (!torque) return;  // reported by check_torque()
-  const auto power = data.values.find(kPowerPath);
+  const auto power = data.values.find(keys().power);
   const double derived = *torque * at;
   if (power != data.values.end() && !power->second.from_default &&
       std::abs(power->second.value.number - derived) > kShareRoundOff * derived)
     return;
-  substitute(data, kPowerPath, fmt::format("{} W", derived), *path + " x input.speed");
+  substitute(data, keys().power, fmt::format("{} W", derived), *path + " x input.speed");
 }
 
 namespace {
@@ -115,39 +118,39 @@ void check_curve(CheckedCase& in) {
           kTorqueCurvePath,
           fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
           "rows in ascending order of speed are required");
-  if (in.has(kSpeedPath) && !torque_at(curve, in.quantity(kSpeedPath)))
+  if (in.has(keys().speed) && !torque_at(curve, in.quantity(keys().speed)))
     in.add_error_at(kTorqueCurvePath,
                     fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
-                                kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
+                                kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(keys().speed)),
                     "rows on both sides of input.speed are required: nothing is extrapolated");
 }
 
 }  // namespace
 
 void check_torque(CheckedCase& in) {
-  if (in.has(kSpectrumPath) && in.has("input.application_factor") &&
-      in.number("input.application_factor") != 1.0)
-    in.add_error_at("input.application_factor",
-                    fmt::format("{:g} together with a spectrum", in.number("input.application_factor")),
+  if (in.has(kSpectrumPath) && in.has(keys().application_factor) &&
+      in.number(keys().application_factor) != 1.0)
+    in.add_error_at(keys().application_factor,
+                    fmt::format("{:g} together with a spectrum", in.number(keys().application_factor)),
                     "1 is required: a spectrum has the loads that act (ISO 6336-6)");
   check_curve(in);
   std::vector<std::string> stated;
-  for (const std::string* path : duty_paths)
+  for (const std::string* path : duty_paths())
     if (is_stated(in, *path)) stated.push_back(*path);
   if (stated.size() > 1)
     in.add_error_at(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
                     "one of them is required");
-  if (in.has(kTorquePath) && in.has(kSpeedPath) && !in.has(kPowerPath))
+  if (in.has(kTorquePath) && in.has(keys().speed) && !in.has(keys().power))
     in.add_error_at(
         kTorquePath,
-        fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(kSpeedPath)),
+        fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(keys().speed)),
         "a torque that makes 1e-06 to 1e7 kW is required");
-  if (in.has(kTorqueCurvePath) && in.has(kSpeedPath) && !in.has(kPowerPath) &&
-      torque_at(in.list(kTorqueCurvePath), in.quantity(kSpeedPath)))
+  if (in.has(kTorqueCurvePath) && in.has(keys().speed) && !in.has(keys().power) &&
+      torque_at(in.list(kTorqueCurvePath), in.quantity(keys().speed)))
     in.add_error_at(kTorqueCurvePath, "no torque at input.speed",
                     "a torque above 0 at each speed is required");
   for (const SweepAxis& axis : in.axes())
-    if (axis.path == kPowerPath && !stated.empty() && stated.back() != kPowerPath)
+    if (axis.path == keys().power && !stated.empty() && stated.back() != keys().power)
       in.add_error_at(stated.back(), "a torque together with a sweep over input.power",
                       "one of both is required");
 }

@@ -18,5 +18,4 @@ analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& resolved);
 /// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
 analysis::BallRun ball_run(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
 
-
 }  // namespace orbearing::app

@@ -134,7 +134,7 @@ class UncertainReader {
   }
 
   void read_class(const Member& member, const std::string& path) {
-    if (field_.path != catalogue_keys::kClearance) {
+    if (field_.path != keys().radial_clearance) {
       add_error(member.location, path, "a clearance class of what is no clearance",
                 "one of normal, uniform, triangular is required");
       return;
@@ -372,7 +372,7 @@ class UncertainCheck {
 
   bool stands_as_class(const StatedUncertain& stated) {
     const ResolvedCase set = set_of_path(in_, stated.path);
-    if (!set.has(catalogue_keys::kState) || set.choice(catalogue_keys::kState) != "unmounted") {
+    if (!set.has(keys().clearance_state) || set.choice(keys().clearance_state) != "unmounted") {
       add_error(stated, "a clearance class of a clearance that is not unmounted",
                 "bearing.clearance_state: unmounted, with its fits, is required");
       return false;

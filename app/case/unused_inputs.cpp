@@ -11,6 +11,7 @@
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_warnings.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_rows.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/use_conditions.hpp"
@@ -247,7 +248,7 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
     else if (shape.bearing)
       allowed = use::of_a_drivetrain &
                 ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect}) |
-                          (resolved.has("gearset.carrier.bearing_positions") ? 0u : unsigned{use::carrier})};
+                          (resolved.has(keys().carrier_bearings) ? 0u : unsigned{use::carrier})};
     else
       allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
   }
@@ -271,7 +272,7 @@ std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis
 }
 
 bool goes_through(Axes sweeps, const SweepAxis& axis) {
-  return sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
+  return sweeps == Axes::all || (sweeps == Axes::speed && axis.path == keys().speed);
 }
 
 // Then the condition may hold at some of the points.
@@ -333,7 +334,7 @@ void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis ana
 
 // Requirement instead of a refused value; for a type of bearing, the type that every analysis models.
 std::string required_instead(const Input& input) {
-  return input.field->path == "bearing.type" ? "cylindrical-roller is required" : "none is required";
+  return input.field->path == keys().bearing_type ? "cylindrical-roller is required" : "none is required";
 }
 
 }  // namespace
@@ -377,7 +378,7 @@ namespace {
 // bearing.
 void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
   if (in.shape().bearing || in.shape().several || analysis != use::gears) return;
-  const char* stepped = "gearset.stepped_planet.teeth";
+  const std::string& stepped = keys().stepped_teeth;
   if (!in.has(stepped)) return;
   throw BadInput(in.file() +
                  ": bearing: missing; required: the bearing of the planets, as bearing.designation and "

@@ -9,6 +9,7 @@
 #include "app/case/catalogue_warnings.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/uncertain_case.hpp"
@@ -66,14 +67,14 @@ Checked check(const ResolvedCase& resolved) {
 
 // Whether lives are computed for the bearing of the case.
 bool has_governing_life(const ResolvedCase& resolved) {
-  if (!resolved.has("life.method")) return false;
+  if (!resolved.has(keys().life_method)) return false;
   return resolved.model() != planetary_drivetrain || resolved.shape().several || has_planet_bearing(resolved);
 }
 
 void describe_governing_life(Record& record, const ResolvedCase& resolved) {
   record.value("key", "of the governing life among the results", governing_life_key(resolved));
-  record.value("method", "life.method", resolved.choice("life.method"));
-  const auto reason = resolved.assumed().find("life.method");
+  record.value("method", keys().life_method, resolved.choice(keys().life_method));
+  const auto reason = resolved.assumed().find(keys().life_method);
   record.value("reason", "of a method that the case does not state",
                reason == resolved.assumed().end() ? "" : reason->second);
 }
@@ -111,7 +112,7 @@ int execute(const CheckOptions& options) {
   }
   if (has_governing_life(resolved))
     fmt::print("\ngoverning life: {} (life.method: {})\n", governing_life_key(resolved),
-               resolved.choice("life.method"));
+               resolved.choice(keys().life_method));
   print_warnings(warnings);
   return 0;
 }

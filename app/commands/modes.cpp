@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/units.hpp"
@@ -42,7 +43,7 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const std::st
   const double speed = speed_option(stated);
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
     return gear_model_of(resolved, speed);
-  return gear_model_of(with_speed(resolved, "input.speed", stated));
+  return gear_model_of(with_speed(resolved, keys().speed, stated));
 }
 
 // Natural frequencies of stationary gears without a bearing depend on neither power nor speed, which a case
@@ -58,7 +59,7 @@ ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
   if (stated.given || turns || !std::ranges::all_of(error.messages, is_of_the_drive)) throw;
   StatedCase driven = stated;
   for (const auto& [path, value] :
-       {std::pair("input.power", "1 kW"), {"input.speed", "1000 rpm"}, {"input.member", "sun"}})
+       {std::pair(keys().power, "1 kW"), {keys().speed, "1000 rpm"}, {keys().driven_member, "sun"}})
     if (std::ranges::any_of(error.messages, [&](const std::string& message) {
           return message.find(std::string(": ") + path + ": missing") != std::string::npos;
         }))
@@ -81,9 +82,8 @@ int execute(const ModesOptions& options) {
   const bool turns = !options.speed.empty();
   const ResolvedCase resolved = point_for_modes(options.stated, turns);
   if (const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes"))
-    return modes_of_machine(*modes,
-                            turns ? with_speed(resolved, "operation.shaft_speed", options.speed) : resolved,
-                            options.print);
+    return modes_of_machine(
+        *modes, turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved, options.print);
   const double speed = speed_option(options.speed);
   if (resolved.model() == planetary_drivetrain && stated_drivetrain(resolved).has_pairs())
     require_used(resolved, use::modes);  // refuses before it computes
@@ -91,9 +91,9 @@ int execute(const ModesOptions& options) {
   std::vector<std::string> warnings =
       joined(gear_dynamics_warnings(resolved),
              require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes));
-  if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.location(kSpeedPath).option)
-    warnings.push_back(fmt::format("{}: {} has no effect with --speed, which replaces it", kSpeedPath,
-                                   resolved.given(kSpeedPath)));
+  if (speed > 0.0 && resolved.has(keys().speed) && resolved.location(keys().speed).option)
+    warnings.push_back(fmt::format("{}: {} has no effect with --speed, which replaces it", keys().speed,
+                                   resolved.given(keys().speed)));
   Record record;
   describe(record, mode_study(model, speed > 0.0));
   if (speed == 0.0 && carrier_is_body(resolved, ""))

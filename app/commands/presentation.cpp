@@ -8,6 +8,7 @@
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/case_file.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/motion_summary.hpp"
@@ -80,7 +81,7 @@ std::size_t points_of(const SweepOutcome& outcome) {
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
   if (!has_cylindrical_rollers(resolved)) return nullptr;
   for (const Input& input : resolved.inputs())
-    if (input.field->path == "bearing.tilt_state" && resolved.has(input.path) &&
+    if (input.field->path == keys().tilt && resolved.has(input.path) &&
         resolved.choice(input.path) == "computed")
       return nullptr;
   const StiffnessStudy study = stiffness_study(resolved);

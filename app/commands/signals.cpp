@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -64,7 +65,7 @@ std::vector<std::string> entries_of(const std::string& list) {
 }
 
 bool used_by_scratches_alone(const std::string& path) {
-  return path.starts_with("defect.") && path != "defect.race";
+  return path.starts_with("defect.") && path != keys().scratched;
 }
 
 // From options such as "operation.shaft_speed=[1000 rpm, 1500 rpm]"; without any, all that can be scratched
@@ -88,7 +89,7 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
   }
   if (axes.empty())
     axes.push_back(
-        {"defect.race",
+        {keys().scratched,
          {"none", "outer", "inner", resolved.model() == described::roller_defect ? "roller" : "ball"}});
   return axes;
 }
@@ -109,14 +110,14 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
   for (const SignalAxis& axis : axes) names.emplace_back("--set: " + axis.path, "--vary: " + axis.path);
   for (std::size_t number = 0; number < count; ++number) {
     std::vector<Setting> settings;
-    std::string race = resolved.choice("defect.race");
+    std::string race = resolved.choice(keys().scratched);
     bool first_of_defect = true;
     std::size_t rest = number;
     for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
       const std::size_t which = rest % axis->values.size();
       rest /= axis->values.size();
       settings.insert(settings.begin(), Setting{axis->path, axis->values[which]});
-      if (axis->path == "defect.race") race = axis->values[which];
+      if (axis->path == keys().scratched) race = axis->values[which];
       if (used_by_scratches_alone(axis->path) && which > 0) first_of_defect = false;
     }
     if (race == "none" && !first_of_defect) continue;
@@ -176,7 +177,7 @@ void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibratio
 void describe_labels(described::Record& record, const ResolvedCase& in,
                      const analysis::ScratchedVibration& study, const SignalNoise& noise) {
   namespace dimension = described::dimension;
-  const auto of_scratch = [&](const char* path) {
+  const auto of_scratch = [&](const std::string& path) {
     return study.scratched != bearing::defect::Scratched::none ? in.quantity(path) : described::kAbsent;
   };
   const auto frequency = [&](const char* name, const char* meaning, const std::optional<double>& value) {
@@ -186,9 +187,10 @@ void describe_labels(described::Record& record, const ResolvedCase& in,
   // Means of a run-up; orders keep.
   const double slower_by = study.turned.shaft / study.passing.shaft;
   const double met = study.defect_frequency.value_or(described::kAbsent);
-  record.value("defect", "race or element with the scratch", in.choice("defect.race"));
-  record.value("width_mm", dimension::length, "of the scratch along the race", of_scratch("defect.width"));
-  record.value("depth_mm", dimension::length, "of the scratch", of_scratch("defect.depth"));
+  record.value("defect", "race or element with the scratch", in.choice(keys().scratched));
+  record.value("width_mm", dimension::length, "of the scratch along the race",
+               of_scratch(keys().scratch_width));
+  record.value("depth_mm", dimension::length, "of the scratch", of_scratch(keys().scratch_depth));
   frequency("shaft_Hz", "of the shaft, mean of a run-up", study.turned.shaft);
   record.value("run_up_from", dimension::ratio, "speed at which a run-up begins, over that of its end",
                in.number("signal.run_up_from"));
@@ -245,7 +247,7 @@ void describe_signal(Record& labels, std::size_t number, const std::string& file
   labels.value("signal", "number", number);
   if (!file.empty()) labels.value("file", "of the signal", file);
   for (const Setting& setting : varied)
-    if (setting.path != "defect.race") labels.value(setting.path, "varied", setting.text);
+    if (setting.path != keys().scratched) labels.value(setting.path, "varied", setting.text);
 }
 
 // Labels as they are described, whether computed now or earlier.

@@ -65,7 +65,7 @@ Warned<OperatingPoint> in_motion(const Case& drivetrain, Fidelity fidelity) {
 Warned<Sweep> sweep(const Case& drivetrain, const SweepChoices& choices) {
   const app::ResolvedCase& stated = drivetrain.content();
   const app::ResolvedCase in =
-      choices.speeds.empty() ? stated : stated.sweeping(app::kSpeedPath, choices.speeds);
+      choices.speeds.empty() ? stated : stated.sweeping(app::keys().speed, choices.speeds);
   app::require_computable(in, name_of(choices.fidelity), true);
   app::SweepRequest request = app::sweep_request(in, name_of(choices.fidelity));
   request.jobs = choices.jobs;

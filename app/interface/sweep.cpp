@@ -46,7 +46,7 @@ study::PointResult point_with(const app::ResolvedCase& point, const std::vector<
   study::PointResult result;
   try {
     const app::ResolvedCase variant = point.with(settings);
-    result.input_speed = variant.quantity(app::kSpeedPath);
+    result.input_speed = variant.quantity(app::keys().speed);
     const std::vector<study::NamedSet> sets = app::bearing_sets(variant);
     result = app::judged(study::evaluate(sets, level), sets);
   } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/case/input_keys.hpp"
 #include "app/results/record_writers.hpp"
 #include "bearing/life/life_modification.hpp"
 
@@ -57,8 +58,8 @@ std::string missing_reason(const std::string& key, const ValueOfWorst& of_worst)
   if (is_life(key) && !std::isnan(of_worst(in_revolutions(key)).value))
     return "the rings do not rotate; state operation.shaft_speed";
   if (key == "largest_load_share")
-    return "all planets carry the same load in this case; state errors of the pins, as "
-           "gearset.dynamics.pin_error.tangential";
+    return "all planets carry the same load in this case; state errors of the pins, as " +
+           keys().tangential_pin_errors;
   return "ISO 281 and ISO 76 have equivalent loads for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 "
          "and 45 degrees; a life by L10rh or L10mrh does not require them";
 }

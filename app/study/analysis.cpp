@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machines.hpp"
 #include "app/errors.hpp"
 #include "app/results/life_table.hpp"
@@ -59,7 +60,7 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const AnalysisOptions&
   AnalysisResult result{.warnings = gear_dynamics_warnings(in)};
   describe(result.record, run);
   if (!run.steady) result.warnings.push_back(run.message);
-  result.row = {{"input_speed_rpm", kRpm * in.quantity("input.speed")},
+  result.row = {{"input_speed_rpm", kRpm * in.quantity(keys().speed)},
                 {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}};
   if (!run.message.empty()) result.status = run.message;
   return result;

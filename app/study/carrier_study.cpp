@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/analysis/spatial_modes.hpp"
@@ -10,8 +11,6 @@
 namespace orbearing::app {
 
 namespace {
-
-constexpr const char* kPositions = "gearset.carrier.bearing_positions";
 
 // Reports an argument that the library refuses as a mistake of the case.
 template <typename Call>
@@ -31,8 +30,8 @@ void require_carrier(const ResolvedCase& in) {
                    (in.model() == planetary_drivetrain ? "a case without one set with teeth and bearings"
                                                        : "the model " + in.choice("model")) +
                    "; required: planetary-drivetrain with one gearset and its bearing");
-  if (!in.has(kPositions))
-    throw BadInput(in.file() + ": " + kPositions +
+  if (!in.has(keys().carrier_bearings))
+    throw BadInput(in.file() + ": " + keys().carrier_bearings +
                    ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
   if (stated_set(in).teeth.fixed_member != gearset::Member::ring)
     throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -70,7 +71,7 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
 
 // Key and unit of the governing life.
 std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
-  if (is_static_bearing(in) && in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
+  if (is_static_bearing(in) && in.quantity(keys().shaft_speed) == in.quantity(keys().outer_speed))
     return {bearing::rating::revolutions_key(governing_life(in)), "Mrev"};
   if (is_static_bearing(in) || is_ball_run(in)) return {governing_life_key(in), "h"};
   if (in.model() != planetary_drivetrain)
@@ -122,8 +123,8 @@ ScalarResult::Value value_here(const ResolvedCase& in, const ScalarResult& resul
     throw BadInput("--result: found " + result.quantity + "; required: the key of a number that run prints");
   if (is_static_bearing(in) || result.quantity == "life_h")
     throw ComputationFailed(in.text("name") + ": no element is loaded; the life is infinite");
-  refuse_life(in, "life.method",
-              in.choice("life.method") + ", by which there is no " + result.quantity + " here",
+  refuse_life(in, keys().life_method,
+              in.choice(keys().life_method) + ", by which there is no " + result.quantity + " here",
               "a case with that life, or lundberg-palmgren");
 }
 

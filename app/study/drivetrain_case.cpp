@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/oil_case.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
 
@@ -34,7 +35,7 @@ std::vector<std::string> rating_warnings(const ResolvedCase& in) {
     warnings.push_back(
         fmt::format("requirements.life_key: {} is judged; the governing life of this case is {} "
                     "(life.method: {})",
-                    in.choice("requirements.life_key"), governing, in.choice("life.method")));
+                    in.choice("requirements.life_key"), governing, in.choice(keys().life_method)));
   return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 
+#include "app/case/input_keys.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 
@@ -24,7 +25,7 @@ study::Fidelity fidelity_of(const std::string& name) {
 
 namespace {
 
-const std::string kAcceleration = "input.acceleration";
+const std::string kAcceleration = keys().acceleration;
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machines.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
@@ -32,7 +33,7 @@ void require_known_springs(const ResolvedCase& in) {
       fmt::format("{}: bearing.type: found {}; required: cylindrical-roller, of which the stiffness under "
                   "moving gears is "
                   "computed; run, sweep and mesh take other types",
-                  in.origin("bearing.type"), in.choice("bearing.type")));
+                  in.origin(keys().bearing_type), in.choice(keys().bearing_type)));
 }
 
 // Result of `compute`. A gear without a body under its teeth is a mistake of the case.
@@ -79,7 +80,7 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& in, double carrier
 
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& in) {
   const gearset::dynamics::SetModel model = gear_model_of(in);
-  return in.shape().teeth && !in.flag("gearset.mesh_variation") ? gearset::dynamics::averaged(model) : model;
+  return in.shape().teeth && !in.flag(keys().mesh_variation) ? gearset::dynamics::averaged(model) : model;
 }
 
 study::GearRunOptions gear_run_options(const ResolvedCase& in) {

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/case/bearing_type.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/sweep_table.hpp"
@@ -110,7 +111,7 @@ namespace {
 LifeWords words_of(const ResolvedCase& in) {
   const bool balls = bearing_type_of(in) == bearing::PlanetBearingType::deep_groove_ball;
   return {balls ? bearing::rating::RollingElement::ball : bearing::rating::RollingElement::roller,
-          in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0, governing_life(in)};
+          in.has(keys().reduction_factor) ? in.number(keys().reduction_factor) : 0.0, governing_life(in)};
 }
 
 LifeTable table_at(const SweepOutcome& outcome, const SweepRow& row, const ResolvedCase& in) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_of.hpp"
 #include "app/case/units.hpp"
 #include "app/errors.hpp"
@@ -20,10 +21,6 @@ namespace {
 using study::MotionWindows;
 using study::MotionWork;
 using study::time_text;
-
-constexpr const char* kObserved = "simulation.observed_revolutions";
-constexpr const char* kMost = "simulation.most_revolutions";
-constexpr const char* kLengthError = "simulation.length_error";
 
 constexpr double kAnnounced = 30.0;  // [s]  estimates below are not shown
 constexpr std::size_t kMostEstimated =
@@ -86,7 +83,7 @@ std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const
 std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
                                               bool all) {
   const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
-  if (!in_time(fidelity) || !resolved.has(kObserved)) return std::nullopt;
+  if (!in_time(fidelity) || !resolved.has(keys().observed_revolutions)) return std::nullopt;
   MotionEstimate estimate{work_of(resolved, fidelity, request.points), {}, windows_of(resolved)};
   if (all || estimate.seconds(estimate.stated) > kShareOfGrid * kAnnounced)
     estimate.added = work_of(resolved, fidelity, expected_around_peak(resolved, request));
@@ -118,7 +115,8 @@ namespace {
 
 void require_no_axis(const ResolvedCase& resolved) {
   for (const SweepAxis& axis : resolved.axes())
-    for (const char* path : {kObserved, kMost, kLengthError})
+    for (const std::string& path :
+         {keys().observed_revolutions, keys().most_revolutions, keys().length_error})
       if (axis.path == path)
         throw BadInput(fmt::format("--budget: found with a sweep over {}; required: one of both", path));
 }
@@ -133,27 +131,29 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
   const double asked = estimate.seconds(stated);
   if (asked <= seconds) return std::nullopt;
   const auto error_text = [&](const MotionWindows& windows) {
-    return windows.length_error == stated.length_error ? resolved.given(kLengthError) : kLargestErrorText;
+    return windows.length_error == stated.length_error ? resolved.given(keys().length_error)
+                                                       : kLargestErrorText;
   };
   const auto [chosen, within] = study::windows_within(seconds, estimate);
   if (!within)
     throw BadInput(
         fmt::format("--budget: found {}; required: {} of processor time or more by estimate, with the "
                     "shortest windows: {} revolutions for the means, at most {} before them, {} {}",
-                    budget, time_text(estimate.seconds(chosen)), chosen.observed, chosen.most, kLengthError,
-                    error_text(chosen)));
+                    budget, time_text(estimate.seconds(chosen)), chosen.observed, chosen.most,
+                    keys().length_error, error_text(chosen)));
   const std::string cost = study::cost_text(chosen, stated);
   std::vector<Setting> settings;
   std::string text;
-  const auto set = [&](const char* path, bool changed, const std::string& before, const std::string& now) {
+  const auto set = [&](const std::string& path, bool changed, const std::string& before, const std::string& now) {
     if (!changed) return;
     settings.push_back({path, now});
     text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", ", path, now, before);
   };
-  set(kObserved, chosen.observed != stated.observed, std::to_string(stated.observed),
+  set(keys().observed_revolutions, chosen.observed != stated.observed, std::to_string(stated.observed),
       std::to_string(chosen.observed));
-  set(kMost, chosen.most != stated.most, std::to_string(stated.most), std::to_string(chosen.most));
-  set(kLengthError, chosen.length_error != stated.length_error, resolved.given(kLengthError),
+  set(keys().most_revolutions, chosen.most != stated.most, std::to_string(stated.most),
+      std::to_string(chosen.most));
+  set(keys().length_error, chosen.length_error != stated.length_error, resolved.given(keys().length_error),
       kLargestErrorText);
   ResolvedCase changed = resolved.with(settings);
   for (const Setting& one : settings)
@@ -174,7 +174,8 @@ std::string estimate_text(double seconds, std::size_t points, std::size_t added,
 }
 
 std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved) {
-  if (resolved.model() != planetary_drivetrain || !resolved.has(kObserved) || !resolved.shape().bearing)
+  if (resolved.model() != planetary_drivetrain || !resolved.has(keys().observed_revolutions) ||
+      !resolved.shape().bearing)
     return {};
   const double seconds =
       study::seconds_of(work_of(resolved.without_sweep(), study::Fidelity::dynamic), windows_of(resolved));

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
@@ -76,8 +77,6 @@ std::vector<std::string> slope_warnings(const ResolvedCase& in) {
 
 namespace {
 
-constexpr const char* kPinStiffness = "support.stiffness";
-
 // Numbers of a record as `check` lists them, under the keys of the set.
 void add_rows(const described::Record& record, const std::string& set, std::vector<Derived>& rows) {
   for (const described::Entry& entry : record.entries())
@@ -98,7 +97,7 @@ std::vector<analysis::NamedSpeed> few_swept_speeds(const ResolvedCase& in) {
   constexpr std::size_t most_speeds = 24;
   std::vector<analysis::NamedSpeed> speeds;
   for (const SweepAxis& axis : in.axes())
-    if (axis.path == kSpeedPath && axis.values.size() <= most_speeds)
+    if (axis.path == keys().speed && axis.values.size() <= most_speeds)
       for (std::size_t i = 0; i < axis.values.size(); ++i)
         speeds.push_back({axis.values[i], axis.numbers[i]});
   return speeds;
@@ -119,8 +118,8 @@ std::vector<Derived> derived_quantities(const ResolvedCase& in) {
       add_rows_of(analysis::quantities_of(set, gears_of(stated, set.name), few_swept_speeds(in)), set.name,
                   rows);
     // Pins of all sets are alike where the case states one stiffness for all.
-    if (in.has(kPinStiffness))
-      std::erase_if(rows, [](const Derived& row) { return row.path.ends_with(kPinStiffness); });
+    if (in.has(keys().support_stiffness))
+      std::erase_if(rows, [](const Derived& row) { return row.path.ends_with(keys().support_stiffness); });
     for (const study::NamedSet& set : analysis::sets_without_bearing(stated))
       add_rows_of(analysis::quantities_of_gears(set.drivetrain), set.name, rows);
   } else if (in.shape().teeth) {

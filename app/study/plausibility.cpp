@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/case/input_keys.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/life/rating_record.hpp"
 
@@ -15,10 +16,10 @@ namespace {
 
 // Observation for a single bearing: the relative speed of its rings.
 void add_single_speed(const ResolvedCase& in, std::vector<Observation>& found) {
-  if (!in.has("operation.shaft_speed") || !in.has("bearing.pitch_diameter")) return;
-  const double outer = in.has("operation.outer_speed") ? in.quantity("operation.outer_speed") : 0.0;
-  found.push_back(analysis::observed_speed(in.quantity("operation.shaft_speed") - outer,
-                                           in.quantity("bearing.pitch_diameter")));
+  if (!in.has(keys().shaft_speed) || !in.has(keys().pitch_diameter)) return;
+  const double outer = in.has(keys().outer_speed) ? in.quantity(keys().outer_speed) : 0.0;
+  found.push_back(
+      analysis::observed_speed(in.quantity(keys().shaft_speed) - outer, in.quantity(keys().pitch_diameter)));
 }
 
 // All that is judged.

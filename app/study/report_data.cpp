@@ -9,6 +9,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
@@ -40,7 +41,7 @@ Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
 
 // They name the case or choose its operating points.
 bool chooses_operating_points(const std::string& path) {
-  constexpr std::array<std::string_view, 4> others{"name", "source", "input.speed", "life.duration"};
+  const std::array<std::string_view, 4> others{"name", "source", keys().speed, "life.duration"};
   return std::find(others.begin(), others.end(), path) != others.end() || path.starts_with("spectrum") ||
          path.starts_with("requirements.");
 }
@@ -66,11 +67,11 @@ std::string stated_or_not(const ResolvedCase& in, const std::string& path) {
 SpeedSlice speed_slice(const ResolvedCase& resolved) {
   const std::vector<SweepAxis>& axes = resolved.axes();
   const bool speed_swept =
-      std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; });
+      std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == keys().speed; });
   if (!speed_swept || axes.size() < 2) return {resolved, {}, nullptr};
   std::vector<Setting> settings;
   for (const SweepAxis& axis : axes)
-    if (axis.path != kSpeedPath) settings.push_back(nearest(resolved, axis));
+    if (axis.path != keys().speed) settings.push_back(nearest(resolved, axis));
   SpeedSlice slice{resolved.with(settings), {}, Json::object()};
   for (const Setting& one : settings) {
     slice.settings.push_back(one.path + "=" + one.text);
@@ -245,7 +246,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["fidelity"] = outcome.header.fidelity;
   data["missing"] = missing_json(missing, manifest);
   data["life_table"] = lives_record_of(resolved, outcome);
-  data["own_speed_rpm"] = speed_in_rpm(resolved.quantity(kSpeedPath));
+  data["own_speed_rpm"] = speed_in_rpm(resolved.quantity(keys().speed));
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);
@@ -365,7 +366,7 @@ Json branches_json(const ResolvedCase& resolved, const std::vector<Branch>& bran
   Json runs = Json::array();
   for (const Branch& branch : branches)
     runs.push_back({{"name", name_of(branch.manifest)}, {"points", rows_of(branch.manifest)}});
-  return {{"load_drift", resolved.number("simulation.load_drift")}, {"runs", runs}};
+  return {{"load_drift", resolved.number(keys().load_drift)}, {"runs", runs}};
 }
 
 }  // namespace orbearing::app

@@ -51,7 +51,7 @@ ResonancesOfLine resonances_by_line(const ResolvedCase& resolved) {
   const auto ends = std::ranges::minmax(speeds_rpm(resolved));
   const auto lines = std::make_shared<std::map<std::vector<Setting>, std::vector<Resonance>>>();
   return [ in = resolved.without_sweep(), ends, lines ](std::vector<Setting> line) -> const auto& {
-    std::erase_if(line, [](const Setting& setting) { return setting.path == kSpeedPath; });
+    std::erase_if(line, [](const Setting& setting) { return setting.path == keys().speed; });
     const auto [position, is_new] = lines->try_emplace(line);
     if (is_new) try {
         position->second = resonances(line.empty() ? in : in.with(line), ends.min, ends.max);

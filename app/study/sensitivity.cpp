@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -58,9 +59,9 @@ std::optional<ResolvedCase> simplified(const ResolvedCase& in) {
   std::vector<Setting> settings;
   for (const Input& input : in.inputs()) {
     if (!in.has(input.path)) continue;
-    if (input.field->path == "gearset.planet_rim" && in.choice(input.path) == "elastic")
+    if (input.field->path == keys().rim && in.choice(input.path) == "elastic")
       settings.push_back({input.path, "rigid"});
-    if (input.field->path == "bearing.tilt_state" && in.choice(input.path) == "computed")
+    if (input.field->path == keys().tilt && in.choice(input.path) == "computed")
       settings.push_back({input.path, "stated"});
   }
   const ResolvedCase one = in.without_sweep();
@@ -85,7 +86,7 @@ double life_at_rest(const ScalarResult& life, const ResolvedCase& in) {
 bool is_estimate(const ResolvedCase& in, const Input& input, const ScalarResult& life) {
   return in.has(input.path) && in.origin(input.path) == "default" && is_numeric(*input.field) &&
          input.field->kind != Kind::integer && in.value(input.path).number != 0.0 &&
-         input.path != "input.application_factor" && input.path != "life.reliability" &&
+         input.path != keys().application_factor && input.path != keys().reliability &&
          use_status_in_row(in, input, life.analysis) == UseStatus::used;
 }
 
@@ -114,8 +115,7 @@ std::string default_text(const ResolvedCase& in, const std::string& path) {
       !reason->second.starts_with(own))
     return "the default, " + in.given(path);
   const std::string whose = reason->second.substr(own.size());
-  if (is_one_of(field.path,
-                {"bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit"}))
+  if (is_one_of(field.path, {keys().dynamic_capacity, keys().static_capacity, keys().fatigue_load_limit}))
     return fmt::format("{} of {}", in.given(path), whose);
   return fmt::format("the default, {} ({})", in.given(path), whose);
 }
@@ -216,10 +216,10 @@ std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Inp
   if (field.kind == Kind::choice)
     for (const std::string& other : field.choices)
       if (other != in.choice(input.path)) others.push_back({{input.path, other}});
-  if (field.path == "bearing.tilt_state")
+  if (field.path == keys().tilt)
     for (std::vector<Setting>& other : others) {
       const std::string laminae =
-          input.path.substr(0, input.path.size() - field.path.size()) + "bearing.laminae";
+          input.path.substr(0, input.path.size() - field.path.size()) + keys().laminae;
       if (!in.has(laminae)) other.push_back({laminae, std::to_string(analysis::default_laminae)});
     }
   if (field.kind == Kind::flag) others.push_back({{input.path, in.flag(input.path) ? "false" : "true"}});
@@ -233,9 +233,9 @@ std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Inp
 bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
-                    {"life.reliability", "life.method", "gearset.planet_rim", "gearset.fixed",
-                     "bearing.complement", "bearing.clearance_state", "lubricant.grade",
-                     "bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit"}) &&
+                    {keys().reliability, keys().life_method, keys().rim, keys().fixed_member,
+                     keys().complement, keys().clearance_state, keys().oil_grade, keys().dynamic_capacity,
+                     keys().static_capacity, keys().fatigue_load_limit}) &&
          !input.field->path.starts_with("input.") &&
          use_status_in_row(in, input, analysis) == UseStatus::used;
 }
@@ -357,7 +357,7 @@ void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, st
 ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int jobs) {
   ChangeStudy study{.fidelity = fidelity_of(plan.fidelity), .jobs = jobs};
   for (const double rpm : plan.speed_rpm)
-    study.speed.push_back(resolved.with({input_speed(rpm)}).quantity(kSpeedPath));
+    study.speed.push_back(resolved.with({input_speed(rpm)}).quantity(keys().speed));
   return study;
 }
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_of.hpp"
 #include "app/case/machines.hpp"
 #include "app/errors.hpp"
@@ -24,11 +25,11 @@ namespace {
 StiffnessStudy roller_stiffness(const ResolvedCase& in) {
   const auto rollers = machine_of<analysis::RollerSupport>(in);
   StiffnessStudy study = stiffness_of_rollers(rollers);
-  if (!in.has("bearing.laminae"))
+  if (!in.has(keys().laminae))
     study.warnings.push_back(
         fmt::format("bearing.laminae: not given; {} are used, and stiffness depends on their number",
                     analysis::default_laminae));
-  const char* profile = "bearing.profile.kind";
+  const char* profile = kProfileKind;
   if (!in.has(profile) || in.origin(profile) != "default") return study;
   if (const auto effect = effect_of_straight_rollers(rollers, study.points.front()))
     study.warnings.push_back(

@@ -42,9 +42,9 @@ SweepPoint point_of(const ResolvedCase& resolved, std::vector<Setting> settings)
   SweepPoint point{.label = label_of(settings), .settings = std::move(settings)};
   try {
     const ResolvedCase at_point = resolved.with(point.settings);
-    point.input_speed = at_point.quantity(kSpeedPath);
+    point.input_speed = at_point.quantity(keys().speed);
     for (const SweepAxis& axis : resolved.axes())
-      if (axis.path != kSpeedPath) point.axis_values.push_back(axis_value(at_point, axis.path));
+      if (axis.path != keys().speed) point.axis_values.push_back(axis_value(at_point, axis.path));
   } catch (const BadInput& error) {
     throw BadInput("sweep point " + point.label + ": " + error.what());
   }
@@ -58,7 +58,7 @@ std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
     std::vector<Setting> line = sweep_point(resolved, i);
     std::erase_if(line, [](const Setting& setting) {
-      return setting.path == kSpeedPath || setting.path == kPowerPath || setting.path == kTorquePath;
+      return setting.path == keys().speed || setting.path == keys().power || setting.path == kTorquePath;
     });
     if (known.insert(line).second) lines.push_back(std::move(line));
   }
@@ -66,7 +66,7 @@ std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved
 }
 
 Setting entering_power(const LoadBin& bin) {
-  return {kPowerPath, fmt::format("{} W", bin.entering_power()), bin.entering_power()};
+  return {keys().power, fmt::format("{} W", bin.entering_power()), bin.entering_power()};
 }
 
 // An idle bin has next to no power and next to endless life, which is no mistake.
@@ -89,7 +89,7 @@ void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vec
       const LoadBin& bin = spectrum.bins[number];
       std::vector<Setting> settings = line;
       settings.push_back(entering_power(bin));
-      settings.push_back({kSpeedPath, fmt::format("{} rad/s", bin.speed), bin.speed});
+      settings.push_back({keys().speed, fmt::format("{} rad/s", bin.speed), bin.speed});
       points.push_back(point_of(resolved, std::move(settings)));
     }
 }
@@ -98,7 +98,7 @@ void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vec
 
 SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> settings, double rpm) {
   for (Setting& one : settings)
-    if (one.path == kSpeedPath) one = input_speed(rpm);
+    if (one.path == keys().speed) one = input_speed(rpm);
   return point_of(resolved, std::move(settings));
 }
 
@@ -168,7 +168,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
   request.header = manifest_header(resolved, fidelity, request.points.size());
   request.header.spectrum = std::move(spectrum);
   for (const SweepAxis& axis : resolved.axes())
-    if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
+    if (axis.path != keys().speed) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
   request.header.life = governing_life_key(resolved);
   request.resolved_case = write_resolved(resolved);
@@ -190,10 +190,10 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
                        "; required: --fidelity dynamic, the only one with a state to continue from");
   const std::vector<SweepAxis>& axes = resolved.axes();
   const bool swept = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
-    return axis.path == kSpeedPath && axis.values.size() > 1;
+    return axis.path == keys().speed && axis.values.size() > 1;
   });
   if (!swept)
-    mistakes.push_back("--continue: found fewer than two values of " + kSpeedPath +
+    mistakes.push_back("--continue: found fewer than two values of " + keys().speed +
                        "; required: at least two speeds, so that points have neighbours");
   if (resolved.has(kSpectrumPath))
     mistakes.push_back(

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "app/case/catalogue_case.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/study/drivetrain_case.hpp"
@@ -127,7 +128,7 @@ constexpr double kOtherLife = 0.1;  // [-]  of the set's own life
 
 // Compares the lives with those of the carrier as a body; warns where the carrier is not modelled so.
 void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
-  const std::string stated = "gearset.carrier.bearing_positions";
+  const std::string stated = keys().carrier_bearings;
   if (!resolved.has(stated)) return;
   if (outcome.header.fidelity != "quasi-static") {
     if (carrier_is_body(resolved, ""))
@@ -170,7 +171,7 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
 // Sets so slow that rollers and cage follow gravity, which a case does not state: where weight is beside the
 // field of the carrier and that of the rollers' own orbit.
 void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
-  if (is_stated(resolved, "inertia.gravity")) return;
+  if (is_stated(resolved, keys().gravity)) return;
   constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
   const ResolvedCase at_point = resolved.without_sweep();
   for (const study::NamedSet& set : bearing_sets(at_point)) {

@@ -209,10 +209,10 @@ struct TableStudy::State {
 
 SweepPoint TableStudy::State::sweep_point_of(const study::TablePoint& point) const {
   const std::vector<double> values = values_at(table.inputs, point);
-  SweepPoint added{.label = "", .input_speed = resolved.quantity(kSpeedPath)};
+  SweepPoint added{.label = "", .input_speed = resolved.quantity(keys().speed)};
   added.settings = settings_at(table.inputs, values.data());
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (table.inputs[i].path == kSpeedPath)
+    if (table.inputs[i].path == keys().speed)
       added.input_speed = values[i];
     else
       added.axis_values.push_back(in_customary_unit(find_field(table.inputs[i].path)->dimension, values[i]));

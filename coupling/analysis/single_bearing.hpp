@@ -105,6 +105,9 @@ void describe(Visitor& visit, RollerLifeInputs& m) {
                 {.reason = "lives do not depend on the number of laminae"}));
 }
 
+/// A level of cleanliness that does not fit how the bearing is lubricated, or that is stated twice.
+mechanics::Problems problems(const LifeInputs& life);
+
 inline auto oil_temperature_row(double& temperature) {
   using namespace described;
   return input(temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",

@@ -57,6 +57,22 @@ mechanics::Problems problems(const LoadOnRollers& machine) {
   return found;
 }
 
+mechanics::Problems problems(const LifeInputs& life) {
+  mechanics::Problems found;
+  if (!life.cleanliness) return found;
+  const mechanics::MemberKeys key(life);
+  const std::string& level = key(life.cleanliness);
+  if (life.contamination_factor)
+    found.push_back(
+        {level, "a value together with " + key(life.contamination_factor) + "; one of the two is required"});
+  if (*life.cleanliness == rating::Cleanliness::lowest &&
+      life.lubrication == rating::Lubrication::circulating_oil)
+    found.push_back({level, "'" + mechanics::as_written(level) +
+                                "' for circulating oil; one of highest, high, medium, low is required with a "
+                                "filter"});
+  return found;
+}
+
 mechanics::Problems problems(const OilOfLife& machine) {
   const LifeInputs& life = machine.life;
   const mechanics::MemberKeys key_of(machine);

@@ -27,6 +27,18 @@ run("${WORK}/build/consumer")
 
 file(GLOB program "${WORK}/moved/bin/orbearing")
 if(program)
+  # The program of the page finds the peak that the command finds.
+  set(industrial "${WORK}/moved/share/orbearing/cases/templates/industrial.yaml")
+  execute_process(COMMAND "${WORK}/build/reducer" "${industrial}" OUTPUT_VARIABLE found RESULT_VARIABLE result ERROR_VARIABLE reason)
+  execute_process(COMMAND "${program}" sweep "${industrial}" --json --set "input.power=120 kW" --set "bearing.radial_clearance=25 um"
+                          --set "sweep.input.speed={from: 2000 rpm, to: 12000 rpm, step: 1000 rpm}"
+                  OUTPUT_VARIABLE sweep ERROR_VARIABLE more_reason)
+  string(JSON peak GET "${sweep}" peak)
+  execute_process(COMMAND /usr/bin/python3 -c "import json, sys; peak = json.loads(sys.argv[1]); print('%.1f rpm: L10mrh %.2f h' % (
+peak['refined_speed_rpm'], peak['refined_life_h']))" "${peak}" OUTPUT_VARIABLE expected)
+  if(NOT result EQUAL 0 OR NOT found STREQUAL expected)
+    message(FATAL_ERROR "the program of docs/guide/cpp.md ended with ${result} and found ${found}; required: ${expected}\n${reason}${more_reason}")
+  endif()
   run("${program}" --help)
   run("${program}" check "${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml")
   # Its data are beside it, not in the source tree.

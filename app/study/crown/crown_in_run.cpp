@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/case/input_keys.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/results/sweep_run.hpp"
 #include "app/study/crown/crown_study.hpp"
@@ -58,7 +59,7 @@ class WithRollers {
     std::vector<Setting> settings{{block + "kind", design_.profile},
                                   {block + "drop", fmt::format("{:.6g} um", per_micro * drop)}};
     if (!design_.has_share) return settings;
-    const double share = design_.crown.share, length = in_.quantity(set_ + "bearing.roller_length");
+    const double share = design_.crown.share, length = in_.quantity(set_ + keys().roller_length);
     if (design_.profile == "chamfer")
       settings.push_back({block + "chamfer_length", fmt::format("{} m", 0.5 * share * length)});
     else if (design_.profile == "straight-circular")

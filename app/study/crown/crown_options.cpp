@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/text_table.hpp"
@@ -96,17 +97,17 @@ std::vector<double> default_drops(const bearing::Bearing& bearing) {
 }
 
 bool states_computed_tilt(const ResolvedCase& resolved) {
-  const char* state = "bearing.tilt_state";
+  const std::string& state = keys().tilt;
   return resolved.has(state) && resolved.choice(state) == "computed";
 }
 
 // Input of the case that prevents a computed tilt by default; empty: none.
 std::string reason_to_state(const ResolvedCase& resolved) {
   if (resolved.shape().several) return "several sets";
-  if (resolved.has("gearset.planet_rim") && resolved.choice("gearset.planet_rim") == "elastic")
+  if (resolved.has(keys().rim) && resolved.choice(keys().rim) == "elastic")
     return "gearset.planet_rim: elastic";
   if (const std::string uneven = unequal_loads_by(resolved); !uneven.empty()) return uneven;
-  const char* wind_up = "bearing.misalignment.carrier_wind_up";
+  const std::string& wind_up = keys().wind_up;
   if (resolved.has(wind_up) && resolved.quantity(wind_up) != 0.0) return wind_up;
   return "";
 }
@@ -199,9 +200,10 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
           "--spectrum, --shares: found with a case that states a spectrum; required: one of both");
     return points_of(*stated);
   }
-  if (!choices.spectrum && choices.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0, {}}};
+  if (!choices.spectrum && choices.shares.empty()) return {{resolved.quantity(keys().speed), 1.0, {}}};
   const std::vector<SweepAxis>& axes = resolved.axes();
-  if (std::none_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; })) {
+  if (std::none_of(axes.begin(), axes.end(),
+                   [](const SweepAxis& axis) { return axis.path == keys().speed; })) {
     mistakes.push_back(
         "--spectrum: found a case without sweep.input.speed; required: the speeds of the spectrum there");
     return {};
@@ -210,7 +212,7 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
   const std::vector<double> shares = shares_of(choices, speeds.size(), mistakes);
   std::vector<crowning::SpectrumPoint> spectrum;
   for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i)
-    spectrum.push_back({speeds[i], shares[i], resolved.with(kSpeedPath, speeds[i]).quantity(kPowerPath)});
+    spectrum.push_back({speeds[i], shares[i], resolved.with(keys().speed, speeds[i]).quantity(keys().power)});
   return spectrum;
 }
 
@@ -297,8 +299,8 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownChoices& choices) 
     return {
         resolved,
         {"tilts: stated, 0 to 2 mrad, and not computed together with " + reason + "; --tilts states others"}};
-  std::vector<Setting> settings{{"bearing.tilt_state", "computed"}};
-  if (!resolved.has("bearing.laminae")) settings.push_back({"bearing.laminae", std::to_string(kLaminae)});
+  std::vector<Setting> settings{{keys().tilt, "computed"}};
+  if (!resolved.has(keys().laminae)) settings.push_back({keys().laminae, std::to_string(kLaminae)});
   return {resolved.with(settings), {}};
 }
 
