@@ -105,46 +105,34 @@ void describe(Visitor& visit, Mounting& m) {
   using namespace described;
   constexpr Where unmounted{"bearing.clearance_state", "unmounted"};
   const auto interference = [&](std::optional<double>& member, const char* path, const char* meaning) {
-    return field(member, path, meaning,
-                 {.models = planetary_drivetrain,
-                  .dimension = dimension::small_length,
-                  .range = {-500.0, 500.0},
-                  .where = unmounted});
+    return input(member, path, meaning,
+                 {.dimension = dimension::small_length, .range = {-500.0, 500.0}, .where = unmounted});
   };
   const auto temperature = [&](std::optional<double>& member, const char* path, const char* meaning) {
-    return field(member, path, meaning,
-                 {.models = planetary_drivetrain,
-                  .dimension = dimension::temperature,
-                  .range = {-60.0, 400.0},
-                  .where = unmounted});
+    return input(member, path, meaning,
+                 {.dimension = dimension::temperature, .range = {-60.0, 400.0}, .where = unmounted});
   };
   members(
       visit, m,
-      field(m.rings, "bearing.rings",
+      input(m.rings, "bearing.rings",
             "rings of a planet bearing: both; outer, with rollers on the pin; or none, with rollers on the "
             "pin and in the planet's bore",
-            {.models = planetary_drivetrain, .reason = "as most catalogue bearings"}),
-      field(m.state, "bearing.clearance_state",
+            {.reason = "as most catalogue bearings"}),
+      input(m.state, "bearing.clearance_state",
             "state of bearing.radial_clearance: running bearing, or unmounted bearing, from which fits, "
             "temperatures and speeds give the running clearance",
-            {.models = planetary_drivetrain, .reason = "published clearances are those of running bearings"}),
+            {.reason = "published clearances are those of running bearings"}),
       apart(m.unmounted_clearance),
       interference(m.inner_interference, "bearing.fit.inner_interference",
                    "interference of pin and inner ring bore before assembly, in diameter; negative: loose"),
       interference(
           m.outer_interference, "bearing.fit.outer_interference",
           "interference of outer ring and planet bore before assembly, in diameter; negative: loose"),
-      field(m.pin_bore, "bearing.fit.pin_bore", "diameter of the hole in the pin",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::length,
-             .range = {0.0, 1e4},
-             .where = unmounted}),
-      field(m.expansion, "bearing.fit.expansion",
+      input(m.pin_bore, "bearing.fit.pin_bore", "diameter of the hole in the pin",
+            {.dimension = dimension::length, .range = {0.0, 1e4}, .where = unmounted}),
+      input(m.expansion, "bearing.fit.expansion",
             "linear thermal expansion of rings, rollers, pin and planet",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::per_kelvin,
-             .range = {0.0, 1e-4},
-             .where = unmounted}),
+            {.dimension = dimension::per_kelvin, .range = {0.0, 1e-4}, .where = unmounted}),
       temperature(m.pin_temperature, "bearing.temperature.pin", "temperature of the pin"),
       temperature(m.inner_ring_temperature, "bearing.temperature.inner_ring",
                   "temperature of the inner ring"),

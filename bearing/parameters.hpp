@@ -32,19 +32,16 @@ inline constexpr Lubricant warm_gear_oil{.viscosity = 0.01, .pressure_viscosity 
 template <class Visitor>
 void describe(Visitor& visit, Lubricant& m) {
   using namespace described;
-  members(visit, m,
-          field(m.viscosity, "lubricant.viscosity", "dynamic viscosity at the inlet, at running temperature",
-                {.models = with_rollers | balls_in_time | ball_bearing,
-                 .dimension = dimension::viscosity,
-                 .range = {1e-5, 100.0},
-                 .reason = "a gear oil when warm"}),
-          field(m.pressure_viscosity, "lubricant.pressure_viscosity",
-                "pressure-viscosity coefficient at running temperature",
-                {.models = with_rollers | balls_in_time | ball_bearing,
-                 .dimension = dimension::pressure_viscosity,
-                 .range = {0.1, 100.0},
-                 .reason = "a mineral oil when warm",
-                 .written = "Pa-1"}));
+  members(
+      visit, m,
+      input(m.viscosity, "lubricant.viscosity", "dynamic viscosity at the inlet, at running temperature",
+            {.dimension = dimension::viscosity, .range = {1e-5, 100.0}, .reason = "a gear oil when warm"}),
+      input(m.pressure_viscosity, "lubricant.pressure_viscosity",
+            "pressure-viscosity coefficient at running temperature",
+            {.dimension = dimension::pressure_viscosity,
+             .range = {0.1, 100.0},
+             .reason = "a mineral oil when warm",
+             .written = "Pa-1"}));
 }
 
 /// The race on whose land the cage is centred.
@@ -67,22 +64,16 @@ template <class Visitor>
 void describe(Visitor& visit, Cage& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), std::move(meaning),
-                 {.models = with_rollers | balls_in_time,
-                  .required_by = in_motion,
-                  .dimension = dimension::length,
-                  .range = positive(1e4)});
+    return input(member, std::move(path), std::move(meaning),
+                 {.dimension = dimension::length, .range = positive(1e4)});
   };
   members(visit, m, length(m.inner_diameter, "bearing.cage.inner_diameter", "inner diameter of the cage"),
           length(m.outer_diameter, "bearing.cage.outer_diameter", "outer diameter of the cage"),
           length(m.width, "bearing.cage.width", "axial width of the cage"),
-          field(m.density, "bearing.cage.density", "density of the cage",
-                {.models = with_rollers | balls_in_time,
-                 .required_by = in_motion,
-                 .dimension = dimension::density,
-                 .range = positive(25000.0)}),
-          field(m.guidance, "bearing.cage.guidance", "ring that guides the cage",
-                {.models = in_time, .reason = "inertia of the carrier frame loads the cage outward"}));
+          input(m.density, "bearing.cage.density", "density of the cage",
+                {.dimension = dimension::density, .range = positive(25000.0)}),
+          input(m.guidance, "bearing.cage.guidance", "ring that guides the cage",
+                {.reason = "inertia of the carrier frame loads the cage outward"}));
 }
 
 /// Stiffness of one roller-to-race line contact.
@@ -191,52 +182,35 @@ inline double slenderness(const Bearing& bearing) {
 
 inline auto laminae_row(int& laminae) {
   using namespace described;
-  return field(laminae, "bearing.laminae", "number of laminae of each contact, for profile and misalignment",
-               {.models = with_rollers, .range = {1, 200}, .numerical = true});
+  return input(laminae, "bearing.laminae", "number of laminae of each contact, for profile and misalignment",
+               {.range = {1, 200}, .may_be_absent = true, .numerical = true});
 }
 
 template <class Visitor>
 void describe(Visitor& visit, CylindricalRollers& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), std::move(meaning),
-                 {.models = with_rollers | roller_defect,
-                  .required_by = with_rollers | roller_defect,
-                  .dimension = dimension::length,
-                  .range = positive(1e4)});
+    return input(member, std::move(path), std::move(meaning),
+                 {.dimension = dimension::length, .range = positive(1e4)});
   };
-  members(
-      visit, m,
-      field(m.count, "bearing.rollers", "number of rollers",
-            {.models = with_rollers | roller_defect,
-             .required_by = with_rollers | roller_defect,
-             .range = {3, 500}}),
-      length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
-      length(m.length, "bearing.roller_length", "effective contact length of a roller"),
-      laminae_row(m.laminae),
-      field(
-          m.diameter_deviation, "bearing.roller_diameter_deviation",
-          "diameter of each roller minus roller_diameter, from the first roller on",
-          {.models = planetary_drivetrain, .dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
-      internal(m.profile, "bearing.profile", {}, {.models = with_rollers}));
+  members(visit, m, input(m.count, "bearing.rollers", "number of rollers", {.range = {3, 500}}),
+          length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
+          length(m.length, "bearing.roller_length", "effective contact length of a roller"),
+          laminae_row(m.laminae),
+          input(m.diameter_deviation, "bearing.roller_diameter_deviation",
+                "diameter of each roller minus roller_diameter, from the first roller on",
+                {.dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
+          input(m.profile, "bearing.profile", {}, {.may_be_absent = true}));
 }
 
 template <class Visitor>
 void describe(Visitor& visit, Balls& m) {
   using namespace described;
-  members(visit, m,
-          field(m.count, "bearing.balls", "number of balls",
-                {.models = with_balls, .required_by = with_balls, .range = {3, 500}}),
-          field(m.diameter, "bearing.ball_diameter", "diameter of a ball",
-                {.models = with_balls,
-                 .required_by = with_balls,
-                 .dimension = dimension::length,
-                 .range = positive(1e4)}),
-          field(m.contact_angle, "bearing.contact_angle", "nominal contact angle",
-                {.models = with_balls,
-                 .dimension = dimension::angle,
-                 .range = {0.0, 85.0},
-                 .reason = "a deep-groove bearing"}));
+  members(visit, m, input(m.count, "bearing.balls", "number of balls", {.range = {3, 500}}),
+          input(m.diameter, "bearing.ball_diameter", "diameter of a ball",
+                {.dimension = dimension::length, .range = positive(1e4)}),
+          input(m.contact_angle, "bearing.contact_angle", "nominal contact angle",
+                {.dimension = dimension::angle, .range = {0.0, 85.0}, .reason = "a deep-groove bearing"}));
 }
 
 /// Rows of one ring under `name`, "inner" or "outer". `seat` is that of its diameter. A case states forms and
@@ -244,10 +218,9 @@ void describe(Visitor& visit, Balls& m) {
 template <class Visitor, class Seat>
 void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat, bool grooved) {
   using namespace described;
-  const auto groove = field(m.osculation, "bearing." + name + "_osculation",
+  const auto groove = input(m.osculation, "bearing." + name + "_osculation",
                             "radius of the " + name + " groove over ball diameter",
-                            {.models = with_balls,
-                             .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
+                            {.range = {.least = 0.5, .most = 1.0, .least_allowed = false},
                              .reason = "the grooves for which ISO 281 states f_c"});
   const std::string race = "bearing." + name + "_race";
   members(visit, m, seat, internal(m.form, race + ".form"), internal(m.profile, race + ".profile"),
@@ -256,29 +229,19 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
           }));
 }
 
-/// Models with a rolling bearing.
-inline constexpr unsigned any_bearing =
-    described::with_rollers | described::with_balls | described::roller_defect;
-
 inline auto pitch_diameter_row(double& pitch_diameter) {
   using namespace described;
-  return field(pitch_diameter, "bearing.pitch_diameter",
+  return input(pitch_diameter, "bearing.pitch_diameter",
                "diameter of the circle of centres of rollers or balls",
-               {.models = any_bearing,
-                .required_by = any_bearing,
-                .dimension = dimension::length,
-                .range = positive(1e4)});
+               {.dimension = dimension::length, .range = positive(1e4)});
 }
 
 template <class Visitor>
 void describe(Visitor& visit, Bearing& m) {
   using namespace described;
   const auto of_rings = [](double& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), std::move(meaning),
-                 {.models = with_rollers | ball_motion,
-                  .required_by = planetary_drivetrain,
-                  .dimension = dimension::length,
-                  .range = positive(1e4)});
+    return input(member, std::move(path), std::move(meaning),
+                 {.dimension = dimension::length, .range = positive(1e4)});
   };
   const auto bore = of_rings(m.inner.seat_diameter, "bearing.bore",
                              "bore of the inner ring and diameter of the pin; without support.stiffness the "
@@ -290,24 +253,19 @@ void describe(Visitor& visit, Bearing& m) {
       visit, m,
       part(m.elements, [&] { std::visit([&](auto& elements) { describe(visit, elements); }, m.elements); }),
       pitch_diameter_row(m.pitch_diameter),
-      field(m.radial_clearance, "bearing.radial_clearance",
+      input(m.radial_clearance, "bearing.radial_clearance",
             "internal clearance in diametral measure (ISO 5753); negative is interference",
-            {.models = any_bearing,
-             .required_by = any_bearing,
-             .dimension = dimension::small_length,
-             .range = {-100.0, 2000.0}}),
+            {.dimension = dimension::small_length, .range = {-100.0, 2000.0}}),
       part(m.inner, [&] { describe(visit, m.inner, "inner", bore, grooved); }),
       part(m.outer, [&] { describe(visit, m.outer, "outer", outside, grooved); }),
       of_rings(m.width, "bearing.width", "width of the rings"), part(m.cage), part(m.material),
-      field(m.contact_law, "contact.law",
+      input(m.contact_law, "contact.law",
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
-            {.models = with_rollers | roller_defect,
-             .reason = "each contact separately, as the film requires"}),
+            {.reason = "each contact separately, as the film requires"}),
       apart(m.motions),  // of a single bearing a case states operation.turning_race
-      field(m.first_element, "bearing.first_element_angle",
+      input(m.first_element, "bearing.first_element_angle",
             "angle of the first rolling element from the radial load",
-            {.models = roller_bearing | with_balls | roller_defect,
-             .dimension = dimension::angle,
+            {.dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .reason = "the first one is on the line of the radial load"}));
 }
@@ -323,14 +281,14 @@ struct InertiaSwitches {
 template <class Visitor>
 void describe(Visitor& visit, InertiaSwitches& m) {
   using namespace described;
-  const Details of_a_switch{.models = planetary_drivetrain, .reason = "nothing left out"};
+  const Details of_a_switch{.reason = "nothing left out"};
   members(
       visit, m,
-      field(m.own_orbit, "inertia.own_orbit", "inertia of the rollers' orbit about the bearing", of_a_switch),
-      field(m.coriolis, "inertia.coriolis", "Coriolis terms of the carrier frame", of_a_switch),
-      field(m.carrier_centrifugal, "inertia.carrier_centrifugal", "centrifugal terms of the carrier frame",
+      input(m.own_orbit, "inertia.own_orbit", "inertia of the rollers' orbit about the bearing", of_a_switch),
+      input(m.coriolis, "inertia.coriolis", "Coriolis terms of the carrier frame", of_a_switch),
+      input(m.carrier_centrifugal, "inertia.carrier_centrifugal", "centrifugal terms of the carrier frame",
             of_a_switch),
-      field(m.euler, "inertia.euler", "terms of the carrier's angular acceleration", of_a_switch));
+      input(m.euler, "inertia.euler", "terms of the carrier's angular acceleration", of_a_switch));
 }
 
 /// Motion of the frame of the bearing: at rest for a bearing in a housing.

@@ -57,48 +57,30 @@ void describe(Visitor& visit, PlanetRows& m) {
   constexpr Where tapered{"bearing.type", "tapered-roller"}, ball{"bearing.type", "deep-groove-ball"};
   members(
       visit, m, apart(m.type),
-      field(m.contact_angle, "bearing.rows.contact_angle",
+      input(m.contact_angle, "bearing.rows.contact_angle",
             "contact angle of tapered or spherical rollers: between the normal of the outer race and the "
             "radial plane",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::angle,
+            {.dimension = dimension::angle,
              .range = positive(60.0),
              .where = {"bearing.type", "tapered-roller|spherical-roller"}}),
-      field(m.arrangement, "bearing.rows.arrangement",
+      input(m.arrangement, "bearing.rows.arrangement",
             "how the two tapered roller bearings of a planet stand to each other: back-to-back (O) or "
             "face-to-face (X)",
-            {.models = planetary_drivetrain, .where = tapered}),
-      field(m.distance, "bearing.rows.distance",
+            {.where = tapered}),
+      input(m.distance, "bearing.rows.distance",
             "distance between the middles of the rollers of both tapered rows; left out: half of the face "
             "width",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .where = tapered}),
-      field(m.preload, "bearing.rows.preload",
+            {.dimension = dimension::length, .range = positive(1e4), .where = tapered}),
+      input(m.preload, "bearing.rows.preload",
             "axial preload force of a pair of tapered rows without other loads",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::force,
-             .range = {0.0, 1e9},
-             .where = tapered}),
-      field(m.approach, "bearing.rows.approach",
+            {.dimension = dimension::force, .range = {0.0, 1e9}, .where = tapered}),
+      input(m.approach, "bearing.rows.approach",
             "axial displacement by which both tapered rows are pressed together, instead of preload; "
             "negative: axial play of the pair",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::small_length,
-             .range = {-2000.0, 2000.0},
-             .where = tapered}),
-      field(m.balls, "bearing.balls", "number of balls",
-            {.models = with_balls | planetary_drivetrain,
-             .required_by = with_balls,
-             .range = {3, 500},
-             .where = ball}),
-      field(m.ball_diameter, "bearing.ball_diameter", "diameter of a ball",
-            {.models = with_balls | planetary_drivetrain,
-             .required_by = with_balls,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .where = ball}));
+            {.dimension = dimension::small_length, .range = {-2000.0, 2000.0}, .where = tapered}),
+      input(m.balls, "bearing.balls", "number of balls", {.range = {3, 500}, .where = ball}),
+      input(m.ball_diameter, "bearing.ball_diameter", "diameter of a ball",
+            {.dimension = dimension::length, .range = positive(1e4), .where = ball}));
 }
 
 }  // namespace orbearing::bearing

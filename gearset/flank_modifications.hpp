@@ -40,44 +40,38 @@ struct FlankModifications {
 template <class Visitor>
 void describe(Visitor& visit, FlankModifications& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   constexpr Where loaded{"gearset.tooth_contact", "loaded"};
   const auto removed = [&](double& member, const std::string& path, const std::string& meaning) {
-    return field(member, "gearset." + path, meaning,
-                 {.models = set,
-                  .dimension = dimension::small_length,
+    return input(member, "gearset." + path, meaning,
+                 {.dimension = dimension::small_length,
                   .range = {0.0, 500.0},
                   .reason = "none is stated",
                   .where = loaded});
   };
   const auto slope = [&](double& member, const std::string& gear) {
-    return field(member, "gearset.lead_slope." + gear,
+    return input(member, "gearset.lead_slope." + gear,
                  "additional distance of the flanks of " + gear + " and planet at one end of the face",
-                 {.models = set,
-                  .dimension = dimension::small_length,
+                 {.dimension = dimension::small_length,
                   .range = {-500.0, 500.0},
                   .reason = "none is stated",
                   .where = loaded});
   };
   const std::string relief = "tip relief of the ", crown = "lead crown of the ";
   members(visit, m,
-          field(m.contact, "gearset.tooth_contact",
+          input(m.contact, "gearset.tooth_contact",
                 "stepped: tooth pairs enter and leave contact at the ends of the path of contact, at any "
                 "load; loaded: deflection also closes the gaps before and after",
-                {.models = set, .reason = "as published models have it; loaded teeth are smoother"}),
+                {.reason = "as published models have it; loaded teeth are smoother"}),
           removed(m.sun_relief, "tip_relief.sun", relief + "sun, normal to its flank at the tip"),
           removed(m.planet_relief, "tip_relief.planet", relief + "planet"),
           removed(m.ring_relief, "tip_relief.ring", relief + "ring"),
-          field(m.relief_length, "gearset.tip_relief.length",
+          input(m.relief_length, "gearset.tip_relief.length",
                 "length of the relief along the line of action, in modules",
-                {.models = set,
-                 .range = {0.05, 5.0},
+                {.range = {0.05, 5.0},
                  .reason = "within the part of the path where two pairs carry",
                  .where = loaded}),
-          field(m.relief_form, "gearset.tip_relief.form", "shape of the relief towards the tip",
-                {.models = set,
-                 .reason = "straight in the diagram of the profile, as drawings have it",
-                 .where = loaded}),
+          input(m.relief_form, "gearset.tip_relief.form", "shape of the relief towards the tip",
+                {.reason = "straight in the diagram of the profile, as drawings have it", .where = loaded}),
           removed(m.sun_crown, "lead_crown.sun", crown + "sun, taken off at both ends of the face"),
           removed(m.planet_crown, "lead_crown.planet", crown + "planet"),
           removed(m.ring_crown, "lead_crown.ring", crown + "ring"), slope(m.sun_slope, "sun"),

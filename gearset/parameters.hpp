@@ -36,19 +36,18 @@ struct BasicRack {
 
 /// Rack of the block "gearset." or "pair." of a case.
 template <class Visitor>
-void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, unsigned models) {
+void describe_rack(Visitor& visit, BasicRack& m, const std::string& block) {
   using namespace described;
   const std::string_view rack = "the basic rack of ISO 53";
   members(visit, m,
-          field(m.pressure_angle, block + "pressure_angle", "normal pressure angle of the basic rack",
-                {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
-          field(m.addendum, block + "addendum", "addendum of the basic rack, in modules",
-                {.models = models, .range = {0.5, 1.5}, .reason = rack}),
-          field(m.clearance, block + "clearance", "bottom clearance of the basic rack, in modules",
-                {.models = models, .range = {0.0, 0.6}, .reason = rack}),
-          field(m.root_fillet_radius, block + "root_fillet_radius",
-                "root fillet radius of the basic rack, in modules",
-                {.models = models, .range = {0.0, 0.6}, .reason = rack}));
+          input(m.pressure_angle, block + "pressure_angle", "normal pressure angle of the basic rack",
+                {.dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
+          input(m.addendum, block + "addendum", "addendum of the basic rack, in modules",
+                {.range = {0.5, 1.5}, .reason = rack}),
+          input(m.clearance, block + "clearance", "bottom clearance of the basic rack, in modules",
+                {.range = {0.0, 0.6}, .reason = rack}),
+          input(m.root_fillet_radius, block + "root_fillet_radius",
+                "root fillet radius of the basic rack, in modules", {.range = {0.0, 0.6}, .reason = rack}));
 }
 
 /// Tooth heights of a single gear that differ from the rack's; none: as the rack.
@@ -62,15 +61,14 @@ struct OwnHeights {
 template <class Visitor>
 void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
-  members(visit, m,
-          field(m.addendum, "gearset.addendum_of." + gear,
-                "addendum of the " + gear + ", in modules; gearset.addendum if absent",
-                {.models = set, .range = {0.5, 1.5}}),
-          field(m.clearance, "gearset.clearance_of." + gear,
-                "bottom clearance of the " + gear +
-                    ", root depth minus addendum, in modules; gearset.clearance if absent",
-                {.models = set, .range = {0.0, 0.6}}));
+  members(
+      visit, m,
+      input(m.addendum, "gearset.addendum_of." + gear,
+            "addendum of the " + gear + ", in modules; gearset.addendum if absent", {.range = {0.5, 1.5}}),
+      input(m.clearance, "gearset.clearance_of." + gear,
+            "bottom clearance of the " + gear +
+                ", root depth minus addendum, in modules; gearset.clearance if absent",
+            {.range = {0.0, 0.6}}));
 }
 
 /// The disc that carries the rim of a gear, for the web factor of ISO 6336.
@@ -80,32 +78,28 @@ struct Web {
 };
 
 template <class Visitor>
-void describe_web(Visitor& visit, Web& m, const std::string& block, unsigned models) {
+void describe_web(Visitor& visit, Web& m, const std::string& block) {
   using namespace described;
   members(
       visit, m,
-      field(
+      input(
           m.thickness, block + "web.thickness",
           "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
-          {.models = models, .range = {0.2, 1.2}}),
-      field(m.rim, block + "web.rim", "thickness of the rim under the roots, in modules",
-            {.models = models,
-             .range = {1.0, 50.0},
+          {.range = {0.2, 1.2}}),
+      input(m.rim, block + "web.rim", "thickness of the rim under the roots, in modules",
+            {.range = {1.0, 50.0},
              .reason = "corresponds to the web factor of 0.862 that [Reboucas2021] has for discs of a "
                        "quarter of the face",
              .where = {block.empty() ? "pair.web.thickness" : "gearset.web.thickness"}}));
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.
-inline described::Row<double> helix_row(double& member, const std::string& block, unsigned models,
-                                        std::string_view first) {
-  return described::field(member, block + "helix_angle",
-                          "helix angle at the reference circle; positive: the teeth of the " +
-                              std::string(first) + " are right-handed",
-                          {.models = models,
-                           .dimension = described::dimension::angle,
-                           .range = {-45.0, 45.0},
-                           .reason = "spur gears"});
+inline described::Row<double> helix_row(double& member, const std::string& block, std::string_view first) {
+  return described::input(
+      member, block + "helix_angle",
+      "helix angle at the reference circle; positive: the teeth of the " + std::string(first) +
+          " are right-handed",
+      {.dimension = described::dimension::angle, .range = {-45.0, 45.0}, .reason = "spur gears"});
 }
 
 /// A second gear on each planet, which meshes with the ring instead of the first. Without teeth there is
@@ -123,28 +117,27 @@ struct SteppedPlanet {
 template <class Visitor>
 void describe(Visitor& visit, SteppedPlanet& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   const Where beside{"gearset.stepped_planet.teeth"};
   members(
       visit, m,
-      field(m.teeth, "gearset.stepped_planet.teeth",
+      input(m.teeth, "gearset.stepped_planet.teeth",
             "teeth of a second gear on each planet, which meshes with the ring; gearset.teeth.planet then "
             "meshes "
             "with the sun alone; one gear on each planet if absent",
-            {.models = set, .range = {5, 2000}}),
-      field(m.module, "gearset.stepped_planet.module", "module of the ring mesh; gearset.module if absent",
-            {.models = set, .dimension = dimension::length, .range = positive(100.0), .where = beside}),
-      field(m.shift, "gearset.stepped_planet.profile_shift",
+            {.range = {5, 2000}, .may_be_absent = true}),
+      input(m.module, "gearset.stepped_planet.module", "module of the ring mesh; gearset.module if absent",
+            {.dimension = dimension::length, .range = positive(100.0), .where = beside}),
+      input(m.shift, "gearset.stepped_planet.profile_shift",
             "profile shift of the second gear, in modules; with the ring's it makes the centre distance; 0 "
             "if absent",
-            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.face_width, "gearset.stepped_planet.face_width",
+            {.range = {-2.0, 2.0}, .where = beside}),
+      input(m.face_width, "gearset.stepped_planet.face_width",
             "width of the teeth of the second gear and the ring; gearset.face_width if absent",
-            {.models = set, .dimension = dimension::length, .range = positive(1e4), .where = beside}),
-      field(m.offset, "gearset.stepped_planet.offset",
+            {.dimension = dimension::length, .range = positive(1e4), .where = beside}),
+      input(m.offset, "gearset.stepped_planet.offset",
             "axial distance of the middle of the second gear's face from that of the first; positive towards "
             "positive places of bearings",
-            {.models = set, .dimension = dimension::length, .range = {-1e4, 1e4}, .where = beside}));
+            {.dimension = dimension::length, .range = {-1e4, 1e4}, .where = beside}));
 }
 
 /// Parameters of one planetary set, its planets alike.
@@ -177,45 +170,42 @@ struct PlanetarySet {
 template <class Visitor>
 void describe(Visitor& visit, PlanetarySet& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   const auto count = [](int& member, std::string path, std::string meaning, Range range) {
-    return field(member, std::move(path), std::move(meaning),
-                 {.models = set, .required_by = set, .range = range});
+    return input(member, std::move(path), std::move(meaning), {.range = range});
   };
   const auto length = [](double& member, std::string path, std::string meaning, double most) {
-    return field(
-        member, std::move(path), std::move(meaning),
-        {.models = set, .required_by = set, .dimension = dimension::length, .range = positive(most)});
+    return input(member, std::move(path), std::move(meaning),
+                 {.dimension = dimension::length, .range = positive(most)});
   };
-  const Details shift{.models = set, .required_by = set, .range = {-2.0, 2.0}};
+  const Details shift{.range = {-2.0, 2.0}};
   members(
       visit, m,
-      field(m.fixed_member, "gearset.fixed", "member held by the housing",
-            {.models = set, .reason = "the most common reduction gear"}),
+      input(m.fixed_member, "gearset.fixed", "member held by the housing",
+            {.reason = "the most common reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
-      field(m.planet_angles, "gearset.planet_angles",
+      input(m.planet_angles, "gearset.planet_angles",
             "angular positions of the planets, anticlockwise from the first one at 0 deg. Whole steps of 360 "
             "deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps if absent",
-            {.models = set, .dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
+            {.dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
       count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
       count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
       length(m.module, "gearset.module", "normal module", 100.0),
-      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", set); }),
-      field(m.sun_shift, "gearset.profile_shift.sun", "profile shift of the sun, in modules", shift),
-      field(m.ring_shift, "gearset.profile_shift.ring",
+      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset."); }),
+      input(m.sun_shift, "gearset.profile_shift.sun", "profile shift of the sun, in modules", shift),
+      input(m.ring_shift, "gearset.profile_shift.ring",
             "profile shift of the ring, in modules, positive outward", shift),
       length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
-      apart(m.density), helix_row(m.helix_angle, "gearset.", set, "sun"),
-      field(
+      apart(m.density), helix_row(m.helix_angle, "gearset.", "sun"),
+      input(
           m.sun_thrust, "gearset.sun_thrust",
           "support of the sun's axial bearing: the housing, or the carrier, whose own bearing transmits the "
           "thrust",
-          {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
+          {.reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
       part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun"); }),
       part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet"); }),
       part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring"); }),
-      part(m.web, [&] { describe_web(visit, m.web, "gearset.", set); }), part(m.flanks), part(m.stepped));
+      part(m.web, [&] { describe_web(visit, m.web, "gearset."); }), part(m.flanks), part(m.stepped));
 }
 
 /// Teeth of two external gears on shafts of their own: of the gear nearer to the motor, then of its mate.
@@ -233,8 +223,7 @@ template <class Visitor>
 void describe(Visitor& visit, ParallelStages& m) {
   using namespace described;
   const auto stages = [](std::vector<StageTeeth>& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), std::move(meaning),
-                 {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
+    return input(member, std::move(path), std::move(meaning), {.range = {1, 2000}, .reason = "none"});
   };
   members(
       visit, m,
@@ -286,25 +275,23 @@ struct Drive {
 template <class Visitor>
 void describe(Visitor& visit, Drive& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   members(
       visit, m,
-      field(m.member, "input.member", "member by which the power enters",
-            {.models = set, .reason = "the most common reduction gear"}),
-      field(m.power, "input.power", "input power",
-            {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
-      field(m.application_factor, "input.application_factor",
+      input(m.member, "input.member", "member by which the power enters",
+            {.reason = "the most common reduction gear"}),
+      input(m.power, "input.power", "input power", {.dimension = dimension::power, .range = {1e-6, 1e7}}),
+      input(m.application_factor, "input.application_factor",
             "K_A of ISO 6336-1: teeth and bearings carry the loads of this multiple of the power; with a "
             "spectrum 1",
-            {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
-      field(m.speed, "input.speed",
+            {.range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
+      input(m.speed, "input.speed",
             "speed of the driven member relative to the housing; before parallel stages in front of it that "
             "of the motor; of another member where input.speed_of names it",
-            {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
-      field(m.speed_of, "input.speed_of",
+            {.dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
+      input(m.speed_of, "input.speed_of",
             "member whose speed is input.speed, also in sweeps, torque curves and spectra. motor, load: the "
             "shafts by which power enters and leaves; planet: relative to its pin",
-            {.models = set, .reason = "power, torque and speed are those of one shaft"}),
+            {.reason = "power, torque and speed are those of one shaft"}),
       apart(m.motor_ratio), part(m.parallel));
 }
 

@@ -36,24 +36,23 @@ struct SecondPlanet {
 template <class Visitor>
 void describe(Visitor& visit, SecondPlanet& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   const Where beside{"gearset.second_planet.teeth"};
   members(
       visit, m,
-      field(m.teeth, "gearset.second_planet.teeth",
+      input(m.teeth, "gearset.second_planet.teeth",
             "teeth of a second planet between each planet and the ring: gearset.teeth.planet meshes with the "
             "sun and with it, and gearset.planets are pairs; single planets if absent",
-            {.models = set, .range = {5, 2000}}),
-      field(m.first_shift, "gearset.second_planet.first_profile_shift",
+            {.range = {5, 2000}, .may_be_absent = true}),
+      input(m.first_shift, "gearset.second_planet.first_profile_shift",
             "profile shift of the first planet of a pair, in modules; 0 if absent",
-            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.shift, "gearset.second_planet.profile_shift",
+            {.range = {-2.0, 2.0}, .where = beside}),
+      input(m.shift, "gearset.second_planet.profile_shift",
             "profile shift of the second planet of a pair, in modules; 0 if absent",
-            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
-      field(m.side, "gearset.second_planet.side",
+            {.range = {-2.0, 2.0}, .where = beside}),
+      input(m.side, "gearset.second_planet.side",
             "position of the second planet of a pair: ahead of the first or behind it in the sense of the "
             "carrier's rotation; ahead if absent",
-            {.models = set, .where = beside}));
+            {.where = beside}));
 }
 
 /// A planet of a pair.

@@ -72,38 +72,6 @@ constexpr Range positive(double most = std::numeric_limits<double>::infinity()) 
   return {.least = 0.0, .most = most, .least_allowed = false};
 }
 
-/// Kinds of machines that a case can be of, as bits, so that a row can name several.
-enum Model : unsigned {
-  no_model = 0,
-  planetary_drivetrain = 1,
-  roller_bearing = 2,
-  gear_pair = 4,
-  ball_bearing = 8,
-  raceway_defect = 16,
-  spin_film = 64,
-  duplex_pair = 1u << 11,   // two rows of balls on one shaft
-  ball_motion = 1u << 12,   // a ball bearing whose case has a block `simulation`: in time
-  roller_defect = 1u << 13  // a raceway-defect whose bearing has rollers
-};
-inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-/// A ball bearing under a load of its own, at rest or in time.
-inline constexpr unsigned single_ball_bearing = ball_bearing | ball_motion;
-inline constexpr unsigned with_balls = single_ball_bearing | raceway_defect | duplex_pair;
-/// Bearings in motion over time.
-inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
-/// The same, and bearings with scratches, whose bodies can all move in time on request.
-inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
-inline constexpr unsigned in_time = in_motion | raceway_defect;
-/// Bearings that may have scratches: by themselves, or in a planet.
-inline constexpr unsigned single_scratched = raceway_defect | roller_defect;
-inline constexpr unsigned scratched_bearings = single_scratched | planetary_drivetrain;
-inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | roller_defect | spin_film;
-/// Those whose results the material decides: rollers on a ring that vibrates have contact laws of steel.
-inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect | gear_pair | spin_film};
-
-/// In `required_by`: a planetary set described by masses and stiffnesses instead of teeth.
-inline constexpr unsigned toothless_set = 1u << 16;
-
 /// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
 /// value, where it is given and not zero. Several paths, with | between: one must meet it.
 struct Where {
@@ -113,13 +81,14 @@ struct Where {
 
 /// Optional data of a row, besides the parameter's name and meaning. Texts are literals.
 struct Details {
-  unsigned models = no_model;       // that have it in a case
-  unsigned required_by = no_model;  // that cannot do without it
-  Dimension dimension{};            // none: a plain number
+  Dimension dimension{};  // none: a plain number
   Range range{};
   std::string_view reason{};   // why the member's initial value is the default of a case; none: it is not
   std::string_view written{};  // unit in which the default is written; none: the customary one
   Where where{};
+  /// A case may leave the parameter out though it has no default: it follows from others, or is not needed.
+  bool may_be_absent = false;
+  bool required_without_teeth = false;   // where masses and stiffnesses take the place of a set's teeth
   bool default_without_bearing = false;  // the default counts only where a set has no bearing
   /// Setting of the numerical method, not of the machine: no printed digit depends on it, or its error is
   /// printed with the result (tests/interface/numerical_settings.py).
@@ -131,6 +100,7 @@ struct Facts {
   std::string path;
   std::string meaning{};
   Details details{};
+  bool internal = false;  // no case states it
 };
 
 /// One value of an enumeration as a case writes it. Next to each enumeration that a case can choose from is
@@ -187,19 +157,14 @@ struct RowsOfOne {
   std::tuple<Rows...> rows;
 };
 
-/// A parameter of case files.
-template <class Member>
-Row<Member> field(Member& member, std::string path, std::string meaning, const Details& details) {
-  return {member, {std::move(path), std::move(meaning), details}};
-}
 /// A member that no case states, but that travels with an FMU's model under this name.
 template <class Member>
 Row<Member> internal(Member& member, std::string path, std::string meaning = {},
                      const Details& details = {}) {
-  return {member, {std::move(path), std::move(meaning), details}};
+  return {member, {std::move(path), std::move(meaning), details, true}};
 }
-/// An input of a machine, by its key in the block of the structure. Without a reason for its default it is
-/// required, unless the member may be absent.
+/// An input of a machine, by its key in the case or in the block of the structure. Without a reason for its
+/// default it is required, unless the member is optional or the row says that it may be absent.
 template <class Member>
 Row<Member> input(Member& member, std::string key, std::string meaning, const Details& details = {}) {
   return {member, {std::move(key), std::move(meaning), details}};

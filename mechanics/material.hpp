@@ -28,22 +28,19 @@ inline constexpr std::string_view steel = "rolling bearing steel";
 
 inline auto youngs_modulus_row(double& member) {
   using namespace described;
-  return field(
-      member, "material.youngs_modulus", "Young's modulus of gears, rings and rollers",
-      {.models = of_material, .dimension = dimension::stress, .range = {1.0, 1000.0}, .reason = steel});
+  return input(member, "material.youngs_modulus", "Young's modulus of gears, rings and rollers",
+               {.dimension = dimension::stress, .range = {1.0, 1000.0}, .reason = steel});
 }
 inline auto poisson_ratio_row(double& member) {
   using namespace described;
-  return field(
-      member, "material.poisson_ratio", "Poisson's ratio of gears, rings and rollers",
-      {.models = of_material, .range = {.least = 0.0, .most = 0.5, .most_allowed = false}, .reason = steel});
+  return input(member, "material.poisson_ratio", "Poisson's ratio of gears, rings and rollers",
+               {.range = {.least = 0.0, .most = 0.5, .most_allowed = false}, .reason = steel});
 }
 
 inline auto density_row(double& member) {
   using namespace described;
-  return field(
-      member, "material.density", "density of gears, rings and rollers",
-      {.models = of_material, .dimension = dimension::density, .range = {100.0, 25000.0}, .reason = steel});
+  return input(member, "material.density", "density of gears, rings and rollers",
+               {.dimension = dimension::density, .range = {100.0, 25000.0}, .reason = steel});
 }
 
 template <class Visitor>

@@ -141,6 +141,7 @@ void add_bearing_fields(std::vector<Field>& fields) {
       fields, planetary_drivetrain,
       Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh));
   add_described(fields, default_drivetrain());
+  row_of(fields, keys().first_element).models = no_model;  // planet bearings pass all positions
   add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
   add_forms(fields);
 }

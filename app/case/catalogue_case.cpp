@@ -147,7 +147,7 @@ class CatalogueCase {
   }
 
   void put_cage(const bearing::CageSize& cage) {
-    if ((model_ & described::in_motion) == 0) return;  // others need none
+    if ((model_ & model_sets::in_motion) == 0) return;  // others need none
     const std::string reason =
         "default: a typical cage of a bearing of this section, guided at the outer ring";
     put_default(keys().cage_inner_diameter, millimetres(cage.inner_diameter), reason);
@@ -237,7 +237,7 @@ class CatalogueCase {
 
   // Material by the designation, where a cage has neither a stated material nor a stated density.
   void fill_named_material() {
-    if (entry_ == nullptr || (model_ & described::in_motion) == 0 ||  // others may have no cage
+    if (entry_ == nullptr || (model_ & model_sets::in_motion) == 0 ||  // others may have no cage
         is_full(find(keys().complement)))
       return;
     if (const auto density = data_.values.find(prefix_ + keys().cage_density);

@@ -117,7 +117,7 @@ void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned 
                  "tolerance class (ISO 286) of the planet's bore around the outer ring, instead of its "
                  "interference: mean interference with a bearing of normal accuracy",
                  use_of(keys().outer_interference).when(with_outer_ring), catalogue::hole_classes());
-  Rows(added, with_rollers | described::balls_in_time)
+  Rows(added, with_rollers | model_sets::balls_in_time)
       .choice(kMaterial, "material of the cage, instead of its density",
               use_of_any(fields, {keys().cage_density}).when(caged),
               {"polyamide", "steel", "brass", "aluminium"});

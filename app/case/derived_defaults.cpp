@@ -200,7 +200,7 @@ void fill_derived_defaults(CaseData& data) {
   fill_from_catalogue(data, model);
   fill_from_grade(data, model);
   if ((model & planetary_drivetrain) != 0) fill_from_torque(data);
-  const bool in_time = (model & described::in_time) != 0;
+  const bool in_time = (model & model_sets::in_time) != 0;
   for (const std::string& prefix : set_prefixes(data.shape))
     for (const DefaultRule& rule : default_rules()) {
       const bool at_rest = rule.needed == Needed::at_rest_too;

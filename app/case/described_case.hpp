@@ -14,6 +14,7 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/derived_defaults.hpp"
+#include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -31,9 +32,10 @@ class DescribedCase {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if ((facts.details.models & in_.model()) == 0) return;
+    if (facts.internal) return;
     // Values that always follow from others must be there.
-    if (in_.has(facts.path) || (follows_always(facts.path) && !is_of_missing_cage(facts.path)))
+    if (in_.has(facts.path) ||
+        (follows_always(facts.path) && belongs_to_model(facts.path) && !is_of_missing_cage(facts.path)))
       read(member, facts);
   }
 
@@ -46,6 +48,7 @@ class DescribedCase {
  private:
   using Facts = described::Facts;
 
+  bool belongs_to_model(std::string_view path) const { return (find_field(path)->models & in_.model()) != 0; }
   bool is_of_missing_cage(std::string_view path) const {
     return path.starts_with("bearing.cage.") && goes_without_cage(in_);
   }

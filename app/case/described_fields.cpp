@@ -7,15 +7,13 @@
 
 namespace orbearing::app {
 
-namespace {}  // namespace
-
-Field field_of(const described::Facts& facts) {
+Field field_of(const described::Facts& facts, unsigned models) {
   const described::Details& details = facts.details;
   return {.path = facts.path,
           .meaning = facts.meaning,
-          .use = use_of(facts),
-          .models = facts.details.models,
-          .required_by = details.required_by,
+          .use = use_of(facts, models),
+          .models = models,
+          .required_by = details.required_without_teeth ? toothless_set : 0u,
           .dimension = details.dimension,
           .range = details.range,
           .default_reason = std::string(details.reason),

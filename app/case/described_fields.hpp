@@ -18,8 +18,19 @@
 
 namespace orbearing::app {
 
+/// Members that a case may leave out: absent ones, and lists of numbers, which are empty then.
+template <class T>
+inline constexpr bool may_be_left_out = described::is_optional<T> || std::is_same_v<T, std::vector<double>>;
+
+/// Whether a case cannot do without the member. One that counts under a condition alone is not required.
+template <class Member>
+bool is_required(const described::Details& details) {
+  return details.reason.empty() && details.where.path.empty() && !details.may_be_absent &&
+         !may_be_left_out<Member>;
+}
+
 /// The row's facts but for what follows from the member: kind, choices and default.
-Field field_of(const described::Facts& facts);
+Field field_of(const described::Facts& facts, unsigned models);
 
 /// An initial value [SI] as it would be written in a case: "0.2 um", "2e-7 mm", or "1.0" without a unit.
 std::string default_text(double value, const described::Details& details);
@@ -28,12 +39,13 @@ std::string default_text(double value, const described::Details& details);
 /// Structures may share a row, which is added once; they then share its default.
 class DescribedFields {
  public:
-  explicit DescribedFields(std::vector<Field>& fields) : fields_(fields) {}
+  DescribedFields(std::vector<Field>& fields, unsigned models) : fields_(fields), models_(models) {}
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (facts.details.models == no_model || std::is_same_v<Member, bearing::profile::Profile>) return;
-    Field field = field_of(facts);
+    if (facts.internal || std::is_same_v<Member, bearing::profile::Profile>) return;
+    Field field = field_of(facts, models_);
+    if (is_required<Member>(facts.details)) field.required_by |= models_;
     set_kind(field, member, facts.details);
     if (facts.details.reason.empty()) field.default_text.clear();
     add(std::move(field));
@@ -94,12 +106,14 @@ class DescribedFields {
   void add(Field field);
 
   std::vector<Field>& fields_;
+  unsigned models_;
 };
 
-/// Adds the fields of a structure whose members hold the defaults.
+/// Adds the fields of a structure whose members hold the defaults, for cases of `models`; none: the machines
+/// that have them add their own.
 template <class Struct>
-void add_described(std::vector<Field>& fields, Struct parameters) {
-  DescribedFields visit(fields);
+void add_described(std::vector<Field>& fields, Struct parameters, unsigned models = planetary_drivetrain) {
+  DescribedFields visit(fields, models);
   describe(visit, parameters);
 }
 

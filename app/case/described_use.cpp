@@ -706,8 +706,8 @@ bool makes_meshes(std::string_view path) {
   return use_rules().make_meshes(path);
 }
 
-Use use_of(const described::Facts& facts) {
-  if ((facts.details.models & planetary_drivetrain) != 0 && !use_rules().know(facts.path))
+Use use_of(const described::Facts& facts, unsigned models) {
+  if ((models & planetary_drivetrain) != 0 && !use_rules().know(facts.path))
     throw std::logic_error("no physics is listed for '" + facts.path + "'");
   return use_rules().use_of(facts.path, facts.details.where);
 }

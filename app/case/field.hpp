@@ -9,6 +9,7 @@
 
 #include "app/case/field_use.hpp"
 #include "app/case/mistake.hpp"
+#include "app/case/model.hpp"
 #include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
 
@@ -16,16 +17,8 @@ namespace orbearing::app {
 
 enum class Kind { quantity, integer, number, flag, choice, text, list };
 
-using described::Model;
-using enum described::Model;
-using described::every_model;
 using described::positive;
 using described::Range;
-using described::scratched_bearings;
-using described::single_ball_bearing;
-using described::toothless_set;
-using described::with_balls;
-using described::with_rollers;
 
 /// One column of a list of rows. A row is a list of all columns, or a block with their names as keys.
 struct ListColumn {

@@ -86,6 +86,7 @@ std::vector<Field> build_table() {
           with_carrier_body(with_planet_defect(field.use, field.path), field.path), field.path);
   table::add_catalogue_fields(fields, models);
   add_machine_fields(fields);
+  std::erase_if(fields, [](const Field& field) { return field.models == no_model; });
   return grouped(std::move(fields));
 }
 

@@ -126,6 +126,6 @@ Condition condition_of(const described::Where& where);
 
 /// Uses of a field whose row is beside its member: by the analyses that include its physics, except those
 /// that cannot use it.
-Use use_of(const described::Facts& facts);
+Use use_of(const described::Facts& facts, unsigned models);
 
 }  // namespace orbearing::app

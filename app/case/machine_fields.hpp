@@ -35,10 +35,6 @@ inline constexpr bool is_list_of_parts<std::vector<Part>> = requires(Part part, 
   describe(visitor, part);
 };
 
-/// Members that a case may leave out: absent ones, and lists of numbers, which are empty then.
-template <class T>
-inline constexpr bool may_be_left_out = described::is_optional<T> || std::is_same_v<T, std::vector<double>>;
-
 template <class T>
 inline constexpr std::size_t stated_count = 0;
 template <class Number, std::size_t n>
@@ -71,7 +67,7 @@ class MachineFields {
   void operator()(Member& member, const described::Facts& facts) {
     if constexpr (is_stated_by_others<Member>)
       add_once(facts);
-    else
+    else if (!facts.internal)
       add_field(member, facts);
   }
 
@@ -111,16 +107,9 @@ class MachineFields {
     }
     field.count = stated_count<Member>;
     if (facts.details.reason.empty()) field.default_text.clear();
-    const bool required = is_required<Member>(facts.details);
+    const bool required = app::is_required<Member>(facts.details);
     (alternatives_.empty() ? field.required_by : unused_) = required ? unsigned{model_} : 0u;
     field.required_if_chosen = required && !alternatives_.empty();
-  }
-
-  // Rows that other models share say which models require them.
-  template <class Member>
-  bool is_required(const described::Details& details) const {
-    if (details.models != no_model) return (details.required_by & model_) != 0;
-    return details.reason.empty() && !may_be_left_out<Member>;
   }
 
   void add_once(const described::Facts& facts) {

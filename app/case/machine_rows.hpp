@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/case/field_use.hpp"
+#include "app/case/model.hpp"
 #include "coupling/analysis/ball_run.hpp"
 #include "coupling/analysis/bearing_stiffness.hpp"
 #include "coupling/analysis/bearing_under_load.hpp"
@@ -59,64 +60,62 @@ inline constexpr ProgressLine signal_progress{"signal, in hundredths: ", 100};
 
 namespace machine_rows {
 
-using described::Model;
-
 struct PairOfGears {
   using Type = analysis::PairOfGears;
   /// By their `problems`: one where all of its required inputs are there, several as far as they are.
   using Checked = RowsOf<Type>;
-  static constexpr Model model = described::gear_pair;
+  static constexpr Model model = gear_pair;
   static constexpr std::string_view prefix = "pair.";  // of what `check` derives
 };
 struct DuplexPair {
   using Type = analysis::DuplexPair;
   using Checked = RowsOf<Type>;
-  static constexpr Model model = described::duplex_pair;
+  static constexpr Model model = duplex_pair;
   static constexpr std::string_view prefix = "pair.";
 };
 struct SpinFilm {
   using Type = analysis::SpinFilm;
   using Checked = RowsOf<Type>;
-  static constexpr Model model = described::spin_film;
+  static constexpr Model model = spin_film;
   static constexpr std::string_view prefix = "";
 };
 struct RollerBearing {
   using Type = analysis::RollerBearing;
   using Checked =
       RowsOf<analysis::OilOfRollers, analysis::LoadOnRollers, analysis::ViscosityRatio, analysis::OilOfLife>;
-  static constexpr Model model = described::roller_bearing;
+  static constexpr Model model = roller_bearing;
   static constexpr std::string_view prefix = "";
 };
 struct BallBearing {
   using Type = analysis::BallBearing;
   using Checked = RowsOf<analysis::LoadOnRing, analysis::ViscosityRatio, analysis::OilOfLife>;
-  static constexpr Model model = described::ball_bearing;
+  static constexpr Model model = ball_bearing;
   static constexpr std::string_view prefix = "";
 };
 struct BallsInTime {
   using Type = analysis::BallsInTime;
   using Checked =
       RowsOf<analysis::BallsInTime, analysis::LoadOnRing, analysis::ViscosityRatio, analysis::OilOfLife>;
-  static constexpr Model model = described::ball_motion;
+  static constexpr Model model = ball_motion;
   static constexpr std::string_view prefix = "";
 };
 
 struct ScratchedBalls {
   using Type = analysis::ScratchedBallBearing;
   using Checked = RowsOf<analysis::ScratchOfBalls, analysis::SampledRing, analysis::RingOnBalls>;
-  static constexpr Model model = described::raceway_defect;
+  static constexpr Model model = raceway_defect;
   static constexpr std::string_view prefix = "defect.";
 };
 struct ScratchedRollers {
   using Type = analysis::RingOnRollers;
   using Checked = RowsOf<analysis::ScratchOfRollers, analysis::SampledRing, analysis::RingOnRollers>;
-  static constexpr Model model = described::roller_defect;
+  static constexpr Model model = roller_defect;
   static constexpr std::string_view prefix = "defect.";
 };
 
 struct MeshesOfPair {
   static constexpr auto analyse = analysis::meshes_of_pair;
-  static constexpr Model model = described::gear_pair;
+  static constexpr Model model = gear_pair;
   static constexpr std::string_view command = "mesh";
   static constexpr const char* name = "mesh";  // for users, among those that use an input
   static constexpr ResultNames names{"mesh", "meshes of a pair of gears"};
@@ -124,7 +123,7 @@ struct MeshesOfPair {
 };
 struct DuplexModes {
   static constexpr auto analyse = analysis::duplex_modes;
-  static constexpr Model model = described::duplex_pair;
+  static constexpr Model model = duplex_pair;
   static constexpr std::string_view command = "modes";
   static constexpr const char* name = "modes of a duplex pair";
   static constexpr ResultNames names{"modes", "modes of a shaft on a duplex pair"};
@@ -132,7 +131,7 @@ struct DuplexModes {
 };
 struct DuplexRun {
   static constexpr auto analyse = analysis::duplex_run;
-  static constexpr Model model = described::duplex_pair;
+  static constexpr Model model = duplex_pair;
   static constexpr std::string_view command = "run";
   static constexpr const char* name = "run of a duplex pair";
   static constexpr const char* other_fidelity =  // required instead of another --fidelity
@@ -142,7 +141,7 @@ struct DuplexRun {
 };
 struct FilmOfContact {
   static constexpr auto analyse = analysis::film_of_contact;
-  static constexpr Model model = described::spin_film;
+  static constexpr Model model = spin_film;
   static constexpr std::string_view command = "run";
   static constexpr const char* name = "run of a contact that rolls and spins";
   static constexpr const char* other_fidelity = "none for the model spin-film, which is steady";
@@ -158,17 +157,17 @@ struct SingleBearingAtRest {
 };
 struct RollersUnderLoad : SingleBearingAtRest {
   static constexpr auto analyse = analysis::rollers_under_load;
-  static constexpr Model model = described::roller_bearing;
+  static constexpr Model model = roller_bearing;
   static constexpr double scatter = app::scatter::at_rest;
 };
 struct BallsUnderLoad : SingleBearingAtRest {
   static constexpr auto analyse = analysis::balls_under_load;
-  static constexpr Model model = described::ball_bearing;
+  static constexpr Model model = ball_bearing;
   static constexpr double scatter = app::scatter::of_balls;
 };
 struct RunOfBalls {
   static constexpr auto analyse = analysis::run_of_balls;
-  static constexpr Model model = described::ball_motion;
+  static constexpr Model model = ball_motion;
   static constexpr std::string_view command = "run";
   static constexpr const char* name = "run of a ball bearing in time";
   static constexpr const char* other_fidelity =
@@ -185,12 +184,12 @@ struct StiffnessOfSingleBearing {
 };
 struct StiffnessOfRollers : StiffnessOfSingleBearing {
   static constexpr auto analyse = analysis::stiffness_of_rollers;
-  static constexpr Model model = described::roller_bearing;
+  static constexpr Model model = roller_bearing;
   static constexpr double scatter = app::scatter::at_rest;
 };
 struct StiffnessOfBalls : StiffnessOfSingleBearing {
   static constexpr auto analyse = analysis::stiffness_of_balls;
-  static constexpr Model model = described::ball_bearing;
+  static constexpr Model model = ball_bearing;
   static constexpr double scatter = app::scatter::of_balls;
 };
 
@@ -205,11 +204,11 @@ struct RunOfScratches {
 };
 struct RingOnBalls : RunOfScratches {
   static constexpr auto analyse = analysis::ring_on_balls;
-  static constexpr Model model = described::raceway_defect;
+  static constexpr Model model = raceway_defect;
 };
 struct RingOnRollers : RunOfScratches {
   static constexpr auto analyse = analysis::ring_on_rollers;
-  static constexpr Model model = described::roller_defect;
+  static constexpr Model model = roller_defect;
   static constexpr const char* other_fidelity =
       "none for a single scratched bearing of rollers, or a planetary drivetrain with a block 'defect', "
       "where "
@@ -217,7 +216,7 @@ struct RingOnRollers : RunOfScratches {
 };
 struct ScratchedBallsInMotion : RunOfScratches {
   static constexpr auto analyse = analysis::moving_scratched_balls;
-  static constexpr Model model = described::raceway_defect;
+  static constexpr Model model = raceway_defect;
   static constexpr const char* name = "run --fidelity dynamic of a bearing with scratches";
   static constexpr const char* required_since = "the cage moves too";
   static constexpr ResultNames names{"defect, all in motion", RunOfScratches::names.title, defect_file_name};

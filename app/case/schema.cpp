@@ -152,7 +152,7 @@ Json& block_of(Json& root, std::string_view path, bool required) {
 // A ball bearing is one model to a schema, with or without a block `simulation`; so is a scratched bearing of
 // balls or rollers.
 unsigned kinds_of(Model model) {
-  if (model == raceway_defect) return described::single_scratched;
+  if (model == raceway_defect) return model_sets::single_scratched;
   return model == ball_bearing ? single_ball_bearing : unsigned{model};
 }
 

@@ -11,7 +11,7 @@ bool is_static_bearing(const ResolvedCase& resolved) {
 }
 
 bool is_ball_run(const ResolvedCase& resolved) {
-  return resolved.model() == described::ball_motion;
+  return resolved.model() == ball_motion;
 }
 
 analysis::BearingUnderLoad bearing_under_load(const ResolvedCase& in) {

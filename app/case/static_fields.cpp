@@ -1,6 +1,7 @@
 // Fields of planet bearings besides those of their members: ratings and lives, scratches and their signal.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -82,6 +83,7 @@ void add_life(std::vector<Field>& fields) {
 
 void add_defects(std::vector<Field>& fields) {
   add_described(fields, bearing::defect::Scratch{});
+  row_of(fields, keys().scratched).required_by = no_model;  // a drivetrain without a scratch states none
   add_described(fields, study::ScratchedPosition{});
   add_described(fields, study::PlanetSampling{});
   Rows(fields, planetary_drivetrain)
@@ -96,9 +98,9 @@ void add_defects(std::vector<Field>& fields) {
 
 void add_static_fields(std::vector<Field>& fields) {
   constexpr unsigned judged_by = use::quasi_static | use::in_time;
-  add_described(fields, bearing::equilibrium::RingLoad{});
-  add_described(fields, bearing::Bearing{.elements = bearing::Balls{}});
-  add_described(fields, bearing::balls::MotionParameters{});
+  add_described(fields, bearing::equilibrium::RingLoad{}, no_model);
+  add_described(fields, bearing::Bearing{.elements = bearing::Balls{}}, no_model);
+  add_described(fields, bearing::balls::MotionParameters{}, no_model);
   add_life(fields);
   add_requirements(fields, planetary_drivetrain, Use(judged_by, use::all & ~judged_by), use::crown);
   add_defects(fields);

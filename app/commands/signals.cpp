@@ -88,9 +88,8 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
       if (value.empty()) throw BadInput("--vary: found '" + option + "'; required: a value between commas");
   }
   if (axes.empty())
-    axes.push_back(
-        {keys().scratched,
-         {"none", "outer", "inner", resolved.model() == described::roller_defect ? "roller" : "ball"}});
+    axes.push_back({keys().scratched,
+                    {"none", "outer", "inner", resolved.model() == roller_defect ? "roller" : "ball"}});
   return axes;
 }
 
@@ -252,7 +251,7 @@ void describe_signal(Record& labels, std::size_t number, const std::string& file
 
 // Labels as they are described, whether computed now or earlier.
 Record form_of_labels(const ResolvedCase& resolved) {
-  analysis::ScratchedVibration study{.rollers = resolved.model() == described::roller_defect};
+  analysis::ScratchedVibration study{.rollers = resolved.model() == roller_defect};
   study.vibration.acceleration = Eigen::Array2Xd::Zero(2, 1);
   Record record;
   record.table("signals", "signal", "with what they are labelled", std::array{study},

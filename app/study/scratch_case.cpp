@@ -8,7 +8,7 @@
 namespace orbearing::app {
 
 bool is_defect(const ResolvedCase& resolved) {
-  return (resolved.model() & described::single_scratched) != 0;
+  return (resolved.model() & model_sets::single_scratched) != 0;
 }
 
 analysis::ScratchedVibration scratched_vibration(const ResolvedCase& in, MovingParts moving,

@@ -37,32 +37,23 @@ struct RingLoad {
 template <class Visitor>
 void describe(Visitor& visit, RingLoad& m) {
   using namespace described;
-  constexpr unsigned single_bearing = roller_bearing | single_ball_bearing;
   members(visit, m,
-          field(m.radial, "load.radial", "radial load on the bearing",
-                {.models = single_bearing | single_scratched,
-                 .required_by = single_bearing | single_scratched,
-                 .dimension = dimension::force,
-                 .range = {0.0, 1e9}}),
-          field(m.axial, "load.axial", "axial load on the bearing",
-                {.models = single_ball_bearing,
-                 .dimension = dimension::force,
-                 .range = {0.0, 1e9},
-                 .reason = "a radial load alone"}),
-          field(m.moment, "load.moment", "moment on the inner ring in the plane of the radial load",
-                {.models = single_bearing,
-                 .dimension = dimension::torque,
+          input(m.radial, "load.radial", "radial load on the bearing",
+                {.dimension = dimension::force, .range = {0.0, 1e9}}),
+          input(m.axial, "load.axial", "axial load on the bearing",
+                {.dimension = dimension::force, .range = {0.0, 1e9}, .reason = "a radial load alone"}),
+          input(m.moment, "load.moment", "moment on the inner ring in the plane of the radial load",
+                {.dimension = dimension::torque,
                  .range = {-1e9, 1e9},
                  .reason = "the shaft does not hold the ring against tilting"}),
-          field(m.moment_across, "load.moment_across",
+          input(m.moment_across, "load.moment_across",
                 "moment on the inner ring in the axial plane across the radial load",
-                {.models = single_bearing,
-                 .dimension = dimension::torque,
+                {.dimension = dimension::torque,
                  .range = {-1e9, 1e9},
                  .reason = "the load lies in one axial plane"}),
-          field(m.tilt, "load.tilt",
+          input(m.tilt, "load.tilt",
                 "tilt of the inner ring in the plane of the radial load, instead of its moment",
-                {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
+                {.dimension = dimension::angle, .range = {-10.0, 10.0}}));
 }
 
 /// Result of the search for the static equilibrium.

@@ -116,19 +116,16 @@ struct RaceContactParameters {
 /// Rows that bearings at rest have too.
 inline auto starvation_row(Starvation& starvation) {
   using namespace described;
-  return field(
+  return input(
       starvation, "traction.starvation",
       "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
       "at rest by the oil that returns to the tracks",
-      {.models = in_motion | roller_bearing,
-       .reason = "flooded, as in published cases",
-       .where = {"traction.rolling_resistance", "true"}});
+      {.reason = "flooded, as in published cases", .where = {"traction.rolling_resistance", "true"}});
 }
 inline auto film_row(bool& in_approach) {
   using namespace described;
-  return field(in_approach, "film.enabled", "the approach includes the film",
-               {.models = planetary_drivetrain | ball_bearing,
-                .reason = "dry contacts first; the effect of the film is shown separately"});
+  return input(in_approach, "film.enabled", "the approach includes the film",
+               {.reason = "dry contacts first; the effect of the film is shown separately"});
 }
 
 template <class Visitor>
@@ -137,101 +134,79 @@ void describe(Visitor& visit, RaceContactParameters& m) {
   constexpr Where coulomb{"traction.law", "regularised-coulomb"}, mixed{"contact.lubrication", "mixed"};
   members(
       visit, m,
-      field(m.damping, "contact.damping", "relative increase of a race load per approach speed",
-            {.models = in_time,
-             .dimension = dimension::inverse_speed,
+      input(m.damping, "contact.damping", "relative increase of a race load per approach speed",
+            {.dimension = dimension::inverse_speed,
              .range = {0.0, 100.0},
              .reason = "a tenth of critical on a small roller at 1 kN"}),
-      field(m.traction, "traction.law", "friction in the race contacts over sliding speed",
-            {.models = in_time,
-             .reason = "the model of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"}),
-      field(m.friction, "traction.friction", "largest friction coefficient of the regularised Coulomb law",
-            {.models = in_time,
-             .range = {0.0, 1.0},
-             .reason = "mineral oil at moderate pressure",
-             .where = coulomb}),
-      field(m.sliding_scale, "traction.sliding_scale", "sliding speed over which friction builds up",
-            {.models = in_time,
-             .dimension = dimension::speed,
+      input(m.traction, "traction.law", "friction in the race contacts over sliding speed",
+            {.reason = "the model of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"}),
+      input(m.friction, "traction.friction", "largest friction coefficient of the regularised Coulomb law",
+            {.range = {0.0, 1.0}, .reason = "mineral oil at moderate pressure", .where = coulomb}),
+      input(m.sliding_scale, "traction.sliding_scale", "sliding speed over which friction builds up",
+            {.dimension = dimension::speed,
              .range = positive(100.0),
              .reason = "creep of oiled contacts",
              .where = coulomb}),
-      field(
+      input(
           m.sliding_share, "traction.sliding_share",
           "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
-          {.models = planetary_drivetrain,
-           .range = {0.0, 1.0},
+          {.range = {0.0, 1.0},
            .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % "
                      "[JohnsonTevaarwerk1977]"}),
-      field(m.limiting_friction, "traction.limiting_friction",
+      input(m.limiting_friction, "traction.limiting_friction",
             "limiting shear stress of the oil over pressure",
-            {.models = in_time,
-             .range = {0.0, 1.0},
-             .reason = "mineral oil",
-             .where = {"traction.law", "limiting-shear"}}),
+            {.range = {0.0, 1.0}, .reason = "mineral oil", .where = {"traction.law", "limiting-shear"}}),
       internal(m.least_sliding_scale, "traction.least_sliding_scale"),
-      field(m.pressure_law, "traction.pressure_law",
+      input(m.pressure_law, "traction.pressure_law",
             "growth of the viscosity with pressure in sheared films: Barus, limited, or Roelands",
-            {.models = in_time,
-             .reason = "what published cases use",
-             .where = {"traction.law", "limiting-shear|ree-eyring"}}),
-      field(m.largest_barus_exponent, "traction.largest_barus_exponent",
+            {.reason = "what published cases use", .where = {"traction.law", "limiting-shear|ree-eyring"}}),
+      input(m.largest_barus_exponent, "traction.largest_barus_exponent",
             "limit of pressure-viscosity coefficient times pressure (Barus)",
-            {.models = in_time,
-             .range = positive(100.0),
+            {.range = positive(100.0),
              .reason = "the exponent of Roelands' law is 6 to 9 for oils of 3 to 20 mPa s at 1 GPa",
              .where = {"traction.pressure_law", "barus"}}),
       internal(m.entrainment_scale, "traction.entrainment_scale"),
-      field(m.rolling_resistance, "traction.rolling_resistance",
-            "shear of the oil at the inlet causes rolling resistance",
-            {.models = in_time, .reason = "nothing left out"}),
-      field(m.rolling_law, "traction.rolling_law",
+      input(m.rolling_resistance, "traction.rolling_resistance",
+            "shear of the oil at the inlet causes rolling resistance", {.reason = "nothing left out"}),
+      input(m.rolling_law, "traction.rolling_law",
             "resistance of rollers to rolling as computed by Reynolds' equation, or by the regression of "
             "[ZhouHoeprich1991]",
-            {.models = planetary_drivetrain,
-             .reason = "computed, not from memory; 0.8 to 1.7 times the regression",
+            {.reason = "computed, not from memory; 0.8 to 1.7 times the regression",
              .where = {"traction.rolling_resistance", "true"}}),
-      field(m.inlet_heating, "traction.inlet_heating",
-            "reduction of the rolling resistance by shear heating of the oil at the inlet",
-            {.models = in_time,
-             .reason = "isothermal, as in published cases",
-             .where = {"traction.rolling_resistance", "true"}}),
+      input(
+          m.inlet_heating, "traction.inlet_heating",
+          "reduction of the rolling resistance by shear heating of the oil at the inlet",
+          {.reason = "isothermal, as in published cases", .where = {"traction.rolling_resistance", "true"}}),
       starvation_row(m.starvation),
-      field(
+      input(
           m.film_heating, "film.inlet_heating",
           "reduction of the reported films, and of kappa by film, by shear heating of the inlet and sliding; "
           "loads, friction and film.enabled keep the isothermal film",
-          {.models = planetary_drivetrain, .reason = "isothermal, as in published cases"}),
-      field(m.viscosity_slope, "heat.viscosity_slope", "relative decrease of the viscosity per kelvin",
-            {.models = in_time,
-             .dimension = dimension::per_kelvin,
+          {.reason = "isothermal, as in published cases"}),
+      input(m.viscosity_slope, "heat.viscosity_slope", "relative decrease of the viscosity per kelvin",
+            {.dimension = dimension::per_kelvin,
              .range = {0.0, 0.2},
              .reason = "a mineral oil when warm",
              .where = {"heat.enabled|traction.inlet_heating|film.inlet_heating",
                        "true|goksem-hargreaves|gupta"}}),
       internal(m.oil_conductivity, "traction.oil_conductivity"),
       internal(m.rolling_share, "traction.rolling_share"), film_row(m.film_in_approach),
-      field(m.squeeze, "contact.squeeze",
+      input(m.squeeze, "contact.squeeze",
             "squeeze film between rolling element and race resists their approach",
-            {.models = in_time,
-             .reason =
+            {.reason =
                  "the models of [Gai2025] and [Chen2026], which have none; its effect is shown separately"}),
-      field(m.lubrication, "contact.lubrication",
+      input(m.lubrication, "contact.lubrication",
             "friction in the race contacts: one model, or shared by film and asperities",
-            {.models = planetary_drivetrain, .reason = "smooth surfaces, fully parted"}),
-      field(m.roughness, "contact.roughness",
+            {.reason = "smooth surfaces, fully parted"}),
+      input(m.roughness, "contact.roughness",
             "composite roughness (rms) of roller and race, for mixed lubrication and squeezed films",
-            {.models = in_time,
-             .dimension = dimension::small_length,
+            {.dimension = dimension::small_length,
              .range = positive(100.0),
              .reason = "honed races, ground rollers",
              .where = {"contact.lubrication|contact.squeeze", "mixed|true"}}),
-      field(m.boundary_friction, "contact.boundary_friction",
+      input(m.boundary_friction, "contact.boundary_friction",
             "friction coefficient of asperities, for mixed lubrication",
-            {.models = planetary_drivetrain,
-             .range = {0.0, 1.0},
-             .reason = "mineral oil with additives",
-             .where = mixed}));
+            {.range = {0.0, 1.0}, .reason = "mineral oil with additives", .where = mixed}));
 }
 
 /// Oil between rolling element and cage pocket before they touch.
@@ -267,52 +242,46 @@ struct CageParameters {
 /// Cases of rollers at rest may state it too.
 inline auto guide_land_row(double& diameter) {
   using namespace described;
-  return field(diameter, "bearing.cage.guide_land_diameter",
+  return input(diameter, "bearing.cage.guide_land_diameter",
                "diameter of the land that guides the cage; 0: no land, guided by rollers or balls",
-               {.models = with_rollers | balls_in_time, .dimension = dimension::length, .range = {0.0, 1e4}});
+               {.dimension = dimension::length, .range = {0.0, 1e4}, .may_be_absent = true});
 }
 
 template <class Visitor>
 void describe(Visitor& visit, CageParameters& m) {
   using namespace described;
   constexpr Where land{"bearing.cage.guide_land_diameter"};
-  members(
-      visit, m,
-      field(m.pocket_clearance, "bearing.cage.pocket_clearance",
-            "clearance of a roller in its pocket, in diametral measure",
-            {.models = in_time, .dimension = dimension::length, .range = positive(10.0)}),
-      field(m.pocket_stiffness, "bearing.cage.pocket_stiffness", "stiffness of a cage bar",
-            {.models = planetary_drivetrain, .dimension = dimension::stiffness, .range = positive(1e12)}),
-      field(m.pocket_damping, "bearing.cage.pocket_damping",
-            "relative increase of a pocket load per approach speed",
-            {.models = in_time,
-             .dimension = dimension::inverse_speed,
-             .range = {0.0, 100.0},
-             .reason = "polymer"}),
-      field(m.pocket_friction, "bearing.cage.pocket_friction", "friction coefficient of roller and bar",
-            {.models = in_time, .range = {0.0, 1.0}, .reason = "oiled polymer"}),
-      field(m.pocket_film, "bearing.cage.pocket_film",
-            "oil film between rolling element and cage pocket before contact",
-            {.models = in_time, .reason = "pockets act when they are touched"}),
-      field(m.pocket_roughness, "bearing.cage.pocket_roughness",
-            "roughness of rolling element and pocket, the least film between them",
-            {.models = in_time,
-             .dimension = dimension::small_length,
-             .range = positive(100.0),
-             .reason = "a moulded or milled bar",
-             .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
-      guide_land_row(m.guide_diameter), internal(m.land_width, "bearing.cage.land_width"),
-      internal(m.lands, "bearing.cage.lands"),
-      field(m.largest_eccentricity, "bearing.cage.largest_eccentricity",
-            "share of the land's clearance where roughness carries",
-            {.models = in_time,
-             .range = {.least = 0.1, .most = 1.0, .most_allowed = false},
-             .reason = "finish of the land",
-             .where = land}),
-      field(m.touch_down_stiffness, "bearing.cage.touch_down_stiffness", "stiffness of cage on land",
-            {.models = in_time, .dimension = dimension::stiffness, .range = positive(1e12), .where = land}),
-      internal(m.touch_down_damping, "bearing.cage.touch_down_damping"),
-      internal(m.touch_down_friction, "bearing.cage.touch_down_friction"));
+  members(visit, m,
+          input(m.pocket_clearance, "bearing.cage.pocket_clearance",
+                "clearance of a roller in its pocket, in diametral measure",
+                {.dimension = dimension::length, .range = positive(10.0), .may_be_absent = true}),
+          input(m.pocket_stiffness, "bearing.cage.pocket_stiffness", "stiffness of a cage bar",
+                {.dimension = dimension::stiffness, .range = positive(1e12), .may_be_absent = true}),
+          input(m.pocket_damping, "bearing.cage.pocket_damping",
+                "relative increase of a pocket load per approach speed",
+                {.dimension = dimension::inverse_speed, .range = {0.0, 100.0}, .reason = "polymer"}),
+          input(m.pocket_friction, "bearing.cage.pocket_friction", "friction coefficient of roller and bar",
+                {.range = {0.0, 1.0}, .reason = "oiled polymer"}),
+          input(m.pocket_film, "bearing.cage.pocket_film",
+                "oil film between rolling element and cage pocket before contact",
+                {.reason = "pockets act when they are touched"}),
+          input(m.pocket_roughness, "bearing.cage.pocket_roughness",
+                "roughness of rolling element and pocket, the least film between them",
+                {.dimension = dimension::small_length,
+                 .range = positive(100.0),
+                 .reason = "a moulded or milled bar",
+                 .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
+          guide_land_row(m.guide_diameter), internal(m.land_width, "bearing.cage.land_width"),
+          internal(m.lands, "bearing.cage.lands"),
+          input(m.largest_eccentricity, "bearing.cage.largest_eccentricity",
+                "share of the land's clearance where roughness carries",
+                {.range = {.least = 0.1, .most = 1.0, .most_allowed = false},
+                 .reason = "finish of the land",
+                 .where = land}),
+          input(m.touch_down_stiffness, "bearing.cage.touch_down_stiffness", "stiffness of cage on land",
+                {.dimension = dimension::stiffness, .range = positive(1e12), .where = land}),
+          internal(m.touch_down_damping, "bearing.cage.touch_down_damping"),
+          internal(m.touch_down_friction, "bearing.cage.touch_down_friction"));
 }
 
 /// Rollers of a full complement, which touch one another: steel on steel as at the races, whose line contact
@@ -326,10 +295,9 @@ void describe(Visitor& visit, NeighbourParameters& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.friction, "bearing.neighbour_friction",
+      input(m.friction, "bearing.neighbour_friction",
             "friction coefficient of rollers that touch one another, of a full complement",
-            {.models = planetary_drivetrain,
-             .range = {0.0, 1.0},
+            {.range = {0.0, 1.0},
              .reason = "boundary friction of steel in mineral oil with additives: both spin alike, so that "
                        "no oil is drawn in",
              .where = {"bearing.complement", "full"}}));
@@ -349,28 +317,24 @@ struct OilDragParameters {
 /// Rollers at rest have it too.
 inline auto oil_share_row(double& share) {
   using namespace described;
-  return field(share, "lubricant.share", "oil in the free volume of the bearing",
-               {.models = in_time | roller_bearing,
-                .range = {0.0, 1.0},
-                .reason = "oil mist with jets",
-                .where = {"drag.enabled", "true"}});
+  return input(share, "lubricant.share", "oil in the free volume of the bearing",
+               {.range = {0.0, 1.0}, .reason = "oil mist with jets", .where = {"drag.enabled", "true"}});
 }
 
 template <class Visitor>
 void describe(Visitor& visit, OilDragParameters& m) {
   using namespace described;
   constexpr Where on{"drag.enabled", "true"};
-  members(visit, m,
-          field(m.on, "drag.enabled", "drag and churning in the oil-air mixture",
-                {.models = in_time, .reason = "nothing left out"}),
-          field(m.oil_density, "lubricant.density", "density of the oil",
-                {.models = in_time,
-                 .dimension = dimension::density,
-                 .range = positive(20000.0),
-                 .reason = "mineral oil",
-                 .where = on}),
-          oil_share_row(m.oil_share), internal(m.drag_coefficient, "drag.coefficient"),
-          internal(m.churning_coefficient, "drag.churning_coefficient"));
+  members(
+      visit, m,
+      input(m.on, "drag.enabled", "drag and churning in the oil-air mixture", {.reason = "nothing left out"}),
+      input(m.oil_density, "lubricant.density", "density of the oil",
+            {.dimension = dimension::density,
+             .range = positive(20000.0),
+             .reason = "mineral oil",
+             .where = on}),
+      oil_share_row(m.oil_share), internal(m.drag_coefficient, "drag.coefficient"),
+      internal(m.churning_coefficient, "drag.churning_coefficient"));
 }
 
 /// Pin ring on its support in the carrier. Where a case leaves out the stiffness, it follows from the pin.
@@ -383,11 +347,11 @@ template <class Visitor>
 void describe(Visitor& visit, SupportParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.stiffness, "support.stiffness",
+          input(m.stiffness, "support.stiffness",
                 "radial stiffness of the pin in the carrier, for each bearing on it",
-                {.models = planetary_drivetrain, .dimension = dimension::stiffness, .range = positive(1e13)}),
-          field(m.damping_ratio, "support.damping_ratio", "damping of planet and pin on the support",
-                {.models = planetary_drivetrain, .range = {0.0, 10.0}, .reason = "bolted steel structure"}));
+                {.dimension = dimension::stiffness, .range = positive(1e13), .may_be_absent = true}),
+          input(m.damping_ratio, "support.damping_ratio", "damping of planet and pin on the support",
+                {.range = {0.0, 10.0}, .reason = "bolted steel structure"}));
 }
 
 /// Waves of an elastic outer race in motion.
@@ -436,11 +400,10 @@ void describe(Visitor& visit, Gravity& m) {
   using namespace described;
   constexpr Dimension acceleration{"acceleration", "m/s2", "m/s2", "9.81 m/s2"};
   members(visit, m,
-          field(m.across, "inertia.gravity",
+          input(m.across, "inertia.gravity",
                 "acceleration of gravity across the axis of the carrier, on rollers, cage, pin and planet in "
                 "motion; 0: without weight, as with a vertical axis",
-                {.models = planetary_drivetrain,
-                 .dimension = acceleration,
+                {.dimension = acceleration,
                  .range = {0.0, 100.0},
                  .reason = "left out: small compared with the inertial fields, except in slow sets"}),
           apart(m.angle), apart(m.planet_mass));

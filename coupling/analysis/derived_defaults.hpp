@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "bearing/design_problems.hpp"
-#include "coupling/analysis/rows_of_model.hpp"
 #include "coupling/analysis/stated_drivetrain.hpp"
+#include "mechanics/part_rows.hpp"
 
 namespace orbearing::analysis {
 
@@ -71,9 +71,9 @@ struct OfTeeth {
   template <class Visitor>
   static void inputs(Visitor& visit, Part& set) {
     gearset::PlanetarySet& teeth = set.teeth;
-    describe_only(visit, teeth, teeth.sun_teeth, teeth.planet_teeth, teeth.ring_teeth, teeth.module,
-                  teeth.helix_angle, teeth.rack.pressure_angle);
-    describe_only(visit, set.gears.material, set.gears.material.youngs_modulus);
+    mechanics::describe_only(visit, teeth, teeth.sun_teeth, teeth.planet_teeth, teeth.ring_teeth,
+                             teeth.module, teeth.helix_angle, teeth.rack.pressure_angle);
+    mechanics::describe_only(visit, set.gears.material, set.gears.material.youngs_modulus);
   }
 };
 
@@ -110,8 +110,8 @@ struct OfTeethOnCarrier : OfTeeth {
   template <class Visitor>
   static void inputs(Visitor& visit, Part& set) {
     OfTeeth::inputs(visit, set);
-    describe_only(visit, set.carrier, set.carrier.positions);
-    describe_only(visit, set.gears.choice, set.gears.choice.sun.support_stiffness);
+    mechanics::describe_only(visit, set.carrier, set.carrier.positions);
+    mechanics::describe_only(visit, set.gears.choice, set.gears.choice.sun.support_stiffness);
   }
 };
 struct SunTilt : OfTeethOnCarrier {
@@ -133,11 +133,12 @@ struct OfPin {
   template <class Visitor>
   static void inputs(Visitor& visit, Part& set) {
     study::PlanetaryDrivetrain& planets = set.planets;
-    describe_only(visit, planets, planets.bearing.inner.seat_diameter, planets.bearings_per_planet,
-                  planets.bearing.material.youngs_modulus, planets.bearing.material.poisson_ratio,
-                  planets.seats.tilt, planets.seats.ends, planets.seats.span, planets.seats.diameter);
-    describe_only(visit, set.teeth, set.teeth.face_width);
-    describe_only(visit, set.gears.choice, set.gears.choice.carrier_plate_ratio);
+    mechanics::describe_only(visit, planets, planets.bearing.inner.seat_diameter, planets.bearings_per_planet,
+                             planets.bearing.material.youngs_modulus, planets.bearing.material.poisson_ratio,
+                             planets.seats.tilt, planets.seats.ends, planets.seats.span,
+                             planets.seats.diameter);
+    mechanics::describe_only(visit, set.teeth, set.teeth.face_width);
+    mechanics::describe_only(visit, set.gears.choice, set.gears.choice.carrier_plate_ratio);
   }
 };
 

@@ -12,7 +12,7 @@
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/life/standard_life.hpp"
 #include "bearing/parameters.hpp"
-#include "coupling/analysis/rows_of_model.hpp"
+#include "coupling/analysis/bearing_rows.hpp"
 #include "coupling/analysis/stated_capacities.hpp"
 #include "mechanics/conditional.hpp"
 #include "mechanics/problem.hpp"
@@ -165,9 +165,8 @@ void describe(Visitor& visit, PreloadedPair& m) {
             "stiffness of the pair: of its nonlinear equilibrium, or by the linear formulas as published, "
             "with the constants under linear",
             {.reason = "nothing left out, and rows that face each other"}),
-      part(m.bearing, [&] { describe_for_model(visit, m.bearing, duplex_pair); }),
-      block(m.spindle, "spindle"), either(m.housing), block(m.linear, "linear"),
-      block(m.operation, "operation"), part(m.ball_inertia));
+      part(m.bearing, [&] { describe_inside(visit, m.bearing); }), block(m.spindle, "spindle"),
+      either(m.housing), block(m.linear, "linear"), block(m.operation, "operation"), part(m.ball_inertia));
 }
 
 /// The machine of the model duplex-pair.

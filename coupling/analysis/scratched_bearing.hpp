@@ -11,13 +11,13 @@
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/motion/balls/parameters.hpp"
-#include "coupling/analysis/rows_of_model.hpp"
 #include "coupling/analysis/single_bearing.hpp"
 #include "coupling/analysis/vibration_record.hpp"
 #include "coupling/diagnosis/defect_view.hpp"
 #include "coupling/study/scratch_run.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "mechanics/conditional.hpp"
+#include "mechanics/part_rows.hpp"
 #include "mechanics/problem.hpp"
 
 namespace orbearing::analysis {
@@ -40,11 +40,11 @@ struct ScratchedInHousing {
             .scratch = scratch};
   }
 };
-/// Rows of that model; `describe_bearing` gives those of the bearing.
+/// `describe_bearing` gives the rows of the bearing.
 template <class Visitor, class Call>
-void describe(Visitor& visit, ScratchedInHousing& m, described::Model model, const Call& describe_bearing) {
+void describe(Visitor& visit, ScratchedInHousing& m, const Call& describe_bearing) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, model); }),
+  members(visit, m, part(m.load, [&] { describe_only(visit, m.load, m.load.radial); }),
           part(m.rotation,
                [&] { describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race); }),
           part(m.bearing, describe_bearing), part(m.ring), part(m.scratch), part(m.sampling), part(m.band));
@@ -60,8 +60,8 @@ template <class Visitor>
 void describe(Visitor& visit, RingOnBalls& m) {
   using namespace described;
   members(visit, m, part(m.of, [&] {
-            describe(visit, m.of, raceway_defect,
-                     [&] { describe_inside(visit, m.of.bearing, raceway_defect); });
+            describe(visit, m.of,
+                     [&] { describe_inside(visit, m.of.bearing, m.of.bearing.material.density); });
           }));
 }
 
@@ -75,8 +75,10 @@ template <class Visitor>
 void describe(Visitor& visit, RingOnRollers& m) {
   using namespace described;
   members(visit, m, part(m.of, [&] {
-            describe(visit, m.of, roller_defect,
-                     [&] { describe_inside(visit, m.of.bearing, roller_defect); });
+            describe(visit, m.of, [&] {
+              bearing::Bearing& in = m.of.bearing;  // whose contact laws are those of steel
+              describe_inside(visit, in, in.material, in.rollers().laminae, in.rollers().profile);
+            });
           }));
 }
 
@@ -104,16 +106,22 @@ void describe_moving(Visitor& visit, Rows& rows, ScratchedBallsInMotion& m) {
   members(visit, m,
           part(m.of,
                [&] {
-                 describe(rows, m.of, raceway_defect,
-                          [&] { describe_for_model(visit, m.of.bearing, raceway_defect); });
+                 describe(rows, m.of, [&] {
+                   describe_inside(visit, m.of.bearing);
+                   describe_not_required(visit, m.of.bearing.cage);
+                 });
                }),
-          part(m.motion, [&] { describe_for_model(visit, m.motion, raceway_defect); }),
+          part(m.motion,
+               [&] {
+                 describe_without(visit, m.motion, m.motion.race.starvation, m.motion.mixture.flow,
+                                  m.motion.mixture.fill, m.motion.inner);
+               }),
           system::length_error_row(m.length_error));
 }
 template <class Visitor>
 void describe(Visitor& visit, ScratchedBallsInMotion& m) {
-  RowsWithout<Visitor> rows(visit, m.of.ring.damping_ratio, m.of.ring.damping_law,
-                            m.of.sampling.length_error);
+  mechanics::RowsWithout<Visitor> rows(visit, m.of.ring.damping_ratio, m.of.ring.damping_law,
+                                       m.of.sampling.length_error);
   describe_moving(visit, rows, m);
 }
 
@@ -147,8 +155,9 @@ struct ScratchOfRollers {
 template <class Visitor>
 void describe(Visitor& visit, ScratchOfRollers& m) {
   using namespace described;
-  members(visit, m, part(m.scratch),
-          part(m.rollers, [&] { describe_for_model(visit, m.rollers, roller_defect); }));
+  members(visit, m, part(m.scratch), part(m.rollers, [&] {
+            describe_only(visit, m.rollers, m.rollers.count, m.rollers.diameter, m.rollers.length);
+          }));
 }
 mechanics::Problems problems(const ScratchOfRollers& machine);
 
@@ -162,7 +171,7 @@ struct SampledRing {
 template <class Visitor>
 void describe(Visitor& visit, SampledRing& m) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, raceway_defect); }),
+  members(visit, m, part(m.load, [&] { describe_only(visit, m.load, m.load.radial); }),
           part(m.rotation,
                [&] { describe_without(visit, m.rotation, m.rotation.outer_speed, m.rotation.turning_race); }),
           part(m.sampling), part(m.band));

@@ -12,12 +12,13 @@
 #include "bearing/friction/published_torque.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/parameters.hpp"
-#include "coupling/analysis/rows_of_model.hpp"
+#include "coupling/analysis/bearing_rows.hpp"
 #include "coupling/analysis/stated_capacities.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/heated_balls.hpp"
 #include "mechanics/conditional.hpp"
 #include "mechanics/no_result.hpp"
+#include "mechanics/part_rows.hpp"
 #include "mechanics/problem.hpp"
 
 namespace orbearing::analysis {
@@ -144,25 +145,26 @@ struct LoadedBearing {
   BearingOil oil;
   std::optional<bearing::friction::BearingSize> size;  // boundary dimensions, without C_0; none: not known
 };
-/// Rows of that model, without a cage. Dimensions are stated, or those of a designation.
+/// Rollers take no axial load.
 template <class Visitor>
-void describe(Visitor& visit, LoadedBearing& m, described::Model model) {
-  using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, model); }), part(m.rotation),
-          part(m.bearing,
-               [&] {
-                 RowsWithout<Visitor> rows(visit, m.bearing.cage);
-                 describe_for_model(rows, m.bearing, model);
-               }),
-          part(m.capacities), part(m.life), part(m.oil), internal(m.size, "bearing.size"));
+void describe_on_rollers(Visitor& visit, bearing::equilibrium::RingLoad& m) {
+  describe_without(visit, m, m.axial);
 }
 
-/// The elastic bearing between its rings: without seats, cage and mass.
+/// Without boundary dimensions and cage.
 template <class Visitor>
-void describe_inside(Visitor& visit, bearing::Bearing& m, described::Model model) {
-  RowsWithout<Visitor> rows(visit, m.inner.seat_diameter, m.outer.seat_diameter, m.width, m.cage,
-                            m.material.density);
-  describe_for_model(rows, m, model);
+void describe(Visitor& visit, LoadedBearing& m) {
+  using namespace described;
+  members(visit, m,
+          part(m.load,
+               [&] {
+                 if (m.bearing.has_rollers())
+                   describe_on_rollers(visit, m.load);
+                 else
+                   describe(visit, m.load);
+               }),
+          part(m.rotation), part(m.bearing, [&] { describe_inside(visit, m.bearing); }), part(m.capacities),
+          part(m.life), part(m.oil), internal(m.size, "bearing.size"));
 }
 
 /// Laminae of rollers where a case states none: at rest they are always cut.
@@ -196,8 +198,13 @@ struct RollersUnderLoad {
 template <class Visitor>
 void describe(Visitor& visit, RollersUnderLoad& m) {
   using namespace described;
-  members(visit, m, part(m.loaded, [&] { describe(visit, m.loaded, roller_bearing); }), part(m.life),
-          part(m.oil));
+  members(visit, m,
+          part(m.loaded,
+               [&] {
+                 describe(visit, m.loaded);
+                 describe_dimensions(visit, m.loaded.bearing);
+               }),
+          part(m.life), part(m.oil));
 }
 
 /// Effects of the motion of balls on their equilibrium.
@@ -224,7 +231,7 @@ void describe(Visitor& visit, BallsUnderLoad& m) {
   members(visit, m,
           part(m.loaded,
                [&] {
-                 describe(visit, m.loaded, ball_bearing);
+                 describe(visit, m.loaded);
                  describe(visit, m.loaded.oil.lubricant);
                }),
           part(m.balls), speeds_row(m.speeds));
@@ -245,8 +252,7 @@ void describe(Visitor& visit, BallSimulation& m) {
       input(m.shaft_acceleration, "operation.shaft_acceleration",
             "acceleration of the inner ring from rest up to its speed; 0: that speed from the start on",
             {.dimension = dimension::angular_acceleration, .range = {0.0, 1e9}, .reason = "steady speed"}),
-      part(m.motion, [&] { describe_for_model(visit, m.motion, ball_motion); }), part(m.options),
-      part(m.heat));
+      part(m.motion), part(m.options), part(m.heat));
 }
 
 /// Inputs of the run of a ball bearing in time: the machine of the model ball-bearing with a block
@@ -268,8 +274,9 @@ void describe(Visitor& visit, BallsInTime& m) {
   members(visit, m,
           part(m.loaded,
                [&] {
-                 describe(visit, m.loaded, ball_motion);
-                 describe_for_model(visit, m.loaded.bearing.cage, ball_motion);
+                 describe(visit, m.loaded);
+                 describe_dimensions(visit, m.loaded.bearing);
+                 describe(visit, m.loaded.bearing.cage);
                }),
           part(m.simulation));
 }
@@ -290,8 +297,8 @@ struct RollerSupport {
 template <class Visitor>
 void describe(Visitor& visit, RollerSupport& m) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, roller_bearing); }),
-          part(m.bearing, [&] { describe_inside(visit, m.bearing, roller_bearing); }),
+  members(visit, m, part(m.load, [&] { describe_on_rollers(visit, m.load); }),
+          part(m.bearing, [&] { describe_inside(visit, m.bearing, m.bearing.material.density); }),
           load_factors_row(m.load_factors));
 }
 
@@ -310,14 +317,9 @@ struct BallSupport {
 template <class Visitor>
 void describe(Visitor& visit, BallSupport& m) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, ball_bearing); }),
+  members(visit, m, part(m.load),
           part(m.rotation, [&] { describe_without(visit, m.rotation, m.rotation.turning_race); }),
-          part(m.bearing,
-               [&] {
-                 describe_inside(visit, m.bearing, ball_bearing);
-                 visit_row(visit, mechanics::density_row(m.bearing.material.density));
-               }),
-          part(m.balls),
+          part(m.bearing, [&] { describe_inside(visit, m.bearing); }), part(m.balls),
           part(m.oil,
                [&] {
                  describe_without(visit, m.oil, m.oil.kinematic_viscosity);
@@ -335,7 +337,12 @@ struct MotionOfRollers {
 template <class Visitor>
 void describe(Visitor& visit, MotionOfRollers& m) {
   using namespace described;
-  members(visit, m, part(m.cage, [&] { describe_for_model(visit, m.cage, roller_bearing); }),
+  members(visit, m,
+          part(m.cage,
+               [&] {
+                 mechanics::RowsNotRequired<Visitor> rows(visit);
+                 describe_without(rows, m.cage, m.cage.guidance);
+               }),
           bearing::motion::guide_land_row(m.guide_land), part(m.lubricant));
 }
 
@@ -384,7 +391,7 @@ struct LoadOnRing {
 template <class Visitor>
 void describe(Visitor& visit, LoadOnRing& m) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, ball_bearing); }));
+  members(visit, m, part(m.load));
 }
 mechanics::Problems problems(const LoadOnRing& machine);
 
@@ -396,7 +403,7 @@ struct LoadOnRollers {
 template <class Visitor>
 void describe(Visitor& visit, LoadOnRollers& m) {
   using namespace described;
-  members(visit, m, part(m.load, [&] { describe_for_model(visit, m.load, roller_bearing); }),
+  members(visit, m, part(m.load, [&] { describe_on_rollers(visit, m.load); }),
           bearing::laminae_row(m.laminae));
 }
 mechanics::Problems problems(const LoadOnRollers& machine);

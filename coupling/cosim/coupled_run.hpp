@@ -63,28 +63,21 @@ template <class Visitor>
 void describe(Visitor& visit, CoupledOptions& m) {
   using namespace described;
   rows(visit,
-       field(m.order, "simulation.exchange.order",
+       input(m.order, "simulation.exchange.order",
              "order of the co-simulation in a window: bearings after gears, or both at the same time",
-             {.models = planetary_drivetrain, .reason = "stable in longer windows", .numerical = true}),
-       field(m.window, "simulation.exchange.window", "longest time between two exchanges",
-             {.models = planetary_drivetrain,
-              .dimension = dimension::time,
+             {.reason = "stable in longer windows", .numerical = true}),
+       input(m.window, "simulation.exchange.window", "longest time between two exchanges",
+             {.dimension = dimension::time,
               .range = positive(1e-3),
               .reason = "a fraction of the stability limit: life as of one system within 2 % (reducer)",
               .written = "us",
               .numerical = true}),
-       field(m.extrapolation, "simulation.exchange.extrapolation",
+       input(m.extrapolation, "simulation.exchange.extrapolation",
              "degree of the polynomial that extrapolates forces and velocities in a window",
-             {.models = planetary_drivetrain,
-              .range = {0, 2},
-              .reason = "order 2 without overshoot at impacts",
-              .numerical = true}),
-       field(m.iteration.most_passes, "simulation.exchange.passes",
+             {.range = {0, 2}, .reason = "order 2 without overshoot at impacts", .numerical = true}),
+       input(m.iteration.most_passes, "simulation.exchange.passes",
              "maximum number of passes over a window until both sides agree; 1: no repetition",
-             {.models = planetary_drivetrain,
-              .range = {1, 100},
-              .reason = "short windows cost less than repeated ones",
-              .numerical = true}));
+             {.range = {1, 100}, .reason = "short windows cost less than repeated ones", .numerical = true}));
 }
 
 /// One window.

@@ -43,19 +43,16 @@ struct RunUp {
 template <class Visitor>
 void describe(Visitor& visit, RunUp& m) {
   using namespace described;
-  members(visit, m,
-          field(m.acceleration, "input.acceleration",
-                "growth of the input speed at constant power, for a single dynamic run",
-                {.models = planetary_drivetrain,
-                 .dimension = dimension::angular_acceleration,
-                 .range = {-1e9, 1e9},
-                 .reason = "steady speeds"}),
-          field(m.duration, "simulation.run_up_time", "time of the run-up",
-                {.models = planetary_drivetrain,
-                 .dimension = dimension::time,
-                 .range = positive(1e4),
-                 .reason = "some revolutions of the cage",
-                 .where = {"input.acceleration"}}));
+  members(
+      visit, m,
+      input(m.acceleration, "input.acceleration",
+            "growth of the input speed at constant power, for a single dynamic run",
+            {.dimension = dimension::angular_acceleration, .range = {-1e9, 1e9}, .reason = "steady speeds"}),
+      input(m.duration, "simulation.run_up_time", "time of the run-up",
+            {.dimension = dimension::time,
+             .range = positive(1e4),
+             .reason = "some revolutions of the cage",
+             .where = {"input.acceleration"}}));
 }
 
 /// Misalignment of the bore on the pin. Affects bearings cut into laminae only.
@@ -68,18 +65,16 @@ struct Misalignment {
 template <class Visitor>
 void describe(Visitor& visit, Misalignment& m) {
   using namespace described;
-  const Details angle{.models = planetary_drivetrain,
-                      .dimension = dimension::angle,
-                      .range = {-2.0, 2.0},
-                      .where = {"bearing.tilt_state", "stated"}};
+  const Details angle{
+      .dimension = dimension::angle, .range = {-2.0, 2.0}, .where = {"bearing.tilt_state", "stated"}};
   members(
       visit, m,
-      field(
+      input(
           m.planet_tilt, "bearing.misalignment.planet_tilt",
           "tilt of the planet on its pin, in the plane of the load on its bearing; positive: the bore leans "
           "towards the load at its positive end",
           angle),
-      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up",
+      input(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up",
             "tilt of the bore against the pin in the tangential plane, by the twist of the carrier; "
             "positive: the "
             "bore leads at its positive end",
@@ -126,61 +121,42 @@ void describe(Visitor& visit, PinSeats& m) {
   using namespace described;
   const Where computed{"bearing.tilt_state", "computed"};
   const auto inclination = [&](double& member, const std::string& direction, const std::string& sense) {
-    return field(member, "support.pin_inclination." + direction,
+    return input(member, "support.pin_inclination." + direction,
                  "inclination of the unloaded pin against the gears' axes, " + sense,
-                 {.models = planetary_drivetrain,
-                  .dimension = dimension::angle,
-                  .range = {-2.0, 2.0},
-                  .where = computed});
+                 {.dimension = dimension::angle, .range = {-2.0, 2.0}, .where = computed});
   };
   members(
       visit, m,
-      field(m.tilt, "bearing.tilt_state",
+      input(m.tilt, "bearing.tilt_state",
             "tilt of the planet on its pin: stated by bearing.misalignment, or computed from all its "
             "bearings, the "
             "pin and the meshes",
-            {.models = planetary_drivetrain, .reason = "as published models have it"}),
-      field(m.axial_positions, "bearing.axial_places",
+            {.reason = "as published models have it"}),
+      input(m.axial_positions, "bearing.axial_places",
             "axial positions of the bearings of a planet, from the middle of the face; equally spaced if "
             "absent",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::length,
-             .range = {-1e4, 1e4},
-             .where = computed}),
-      field(m.clearance_differences, "bearing.clearance_differences",
+            {.dimension = dimension::length, .range = {-1e4, 1e4}, .where = computed}),
+      input(m.clearance_differences, "bearing.clearance_differences",
             "clearance of each bearing of a planet minus the stated clearance",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::small_length,
-             .range = {-1000.0, 1000.0},
-             .where = computed}),
-      field(
+            {.dimension = dimension::small_length, .range = {-1000.0, 1000.0}, .where = computed}),
+      input(
           m.ends, "support.pin_ends",
           "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
           "negative end; flexpin: clamped so, with the bearings on a rigid sleeve that its free end carries",
-          {.models = planetary_drivetrain,
-           .reason = "planets between two walls of the carrier",
-           .where = computed}),
-      field(m.span, "support.pin_span",
+          {.reason = "planets between two walls of the carrier", .where = computed}),
+      input(m.span, "support.pin_span",
             "length of the pin between the middles of both walls; held at one end, twice that from the wall "
             "to the "
             "middle of the face; of a flexpin from the wall to where it carries its sleeve",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .where = computed}),
-      field(m.diameter, "support.pin_diameter",
-            "diameter of the pin of a flexpin, within the sleeve on which the bearings sit",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::length,
-             .range = positive(1e4),
-             .where = {"support.pin_ends", "flexpin"}}),
-      field(m.carrier_twist, "support.carrier_twist_stiffness",
+            {.dimension = dimension::length, .range = positive(1e4), .where = computed}),
+      input(
+          m.diameter, "support.pin_diameter",
+          "diameter of the pin of a flexpin, within the sleeve on which the bearings sit",
+          {.dimension = dimension::length, .range = positive(1e4), .where = {"support.pin_ends", "flexpin"}}),
+      input(m.carrier_twist, "support.carrier_twist_stiffness",
             "torsional stiffness of the carrier between its wall at the positive end and the wall at the "
             "negative end, which transmits the torque; rigid if absent",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::rotating_stiffness,
-             .range = positive(1e15),
-             .where = computed}),
+            {.dimension = dimension::rotating_stiffness, .range = positive(1e15), .where = computed}),
       inclination(m.radial_inclination, "radial", "its positive end outward"),
       inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
@@ -240,24 +216,22 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   members(
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), apart(m.of_pair), part(m.bearing),
       part(m.mounting), part(m.rows),
-      field(m.bearings_per_planet, "bearing.per_planet", "bearings side by side in a planet",
-            {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
-      field(m.rim, "gearset.planet_rim",
+      input(m.bearings_per_planet, "bearing.per_planet", "bearings side by side in a planet",
+            {.range = {1, 8}}),
+      input(m.rim, "gearset.planet_rim",
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
             "teeth",
-            {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
+            {.reason = "as published models have it; thin rims bend"}),
       system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.carrier_mounting), apart(m.rated),
-      field(m.mesh_variation, "gearset.mesh_variation",
+      input(m.mesh_variation, "gearset.mesh_variation",
             "the mesh stiffness varies over the mesh period and excites gears and planet bearings; false: "
             "constant mean stiffness",
-            {.models = planetary_drivetrain,
-             .reason = "nothing left out; several sets always give mean forces"}),
-      field(m.cage_positions, "numerics.cage_positions",
+            {.reason = "nothing left out; several sets always give mean forces"}),
+      input(m.cage_positions, "numerics.cage_positions",
             "number of positions of the roller set over one roller pitch for the mean",
-            {.models = planetary_drivetrain,
-             .range = {1, 10000},
+            {.range = {1, 10000},
              .reason = "evenly over one pitch, so that the position of the rollers averages out",
              .numerical = true}));
 }

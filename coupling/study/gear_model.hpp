@@ -58,18 +58,15 @@ void describe_central(Visitor& visit, GearMemberChoice& m, const std::string& na
 template <class Visitor>
 void describe(Visitor& visit, GearDynamicsChoice& m) {
   using namespace described;
-  constexpr unsigned set = planetary_drivetrain;
   const std::string block = "gearset.dynamics.";
-  const Details errors{.models = set, .dimension = dimension::small_length, .range = {-1e5, 1e5}};
+  const Details errors{.dimension = dimension::small_length, .range = {-1e5, 1e5}};
   Details pins = errors;
   pins.where = {"input.member"};
   const auto mesh = [&](std::optional<double>& member, const std::string& name) {
-    return field(member, block + "mesh_stiffness." + name,
-                 "constant stiffness of the " + name + " mesh; from the teeth if absent",
-                 {.models = set,
-                  .required_by = toothless_set,
-                  .dimension = dimension::stiffness,
-                  .range = positive(1e13)});
+    return input(
+        member, block + "mesh_stiffness." + name,
+        "constant stiffness of the " + name + " mesh; from the teeth if absent",
+        {.dimension = dimension::stiffness, .range = positive(1e13), .required_without_teeth = true});
   };
   members(
       visit, m, part(m.sun, [&] { describe_central(visit, m.sun, "sun", "a sun on a slender shaft"); }),
@@ -78,41 +75,39 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
       together(gearset::dynamics::mass_row(m.planet.mass, "planet"),
                gearset::dynamics::inertia_row(m.planet.inertia, "planet")),
       gearset::dynamics::bearing_stiffness_row(m.bearing_stiffness),
-      field(m.carrier_plate_ratio, block + "carrier.plate_ratio",
+      input(m.carrier_plate_ratio, block + "carrier.plate_ratio",
             "thickness of both side plates of the carrier as a share of the face width",
-            {.models = set,
-             .range = positive(10.0),
+            {.range = positive(10.0),
              .reason = "the carrier's design is not given; discs that reach to the planets' rims"}),
       mesh(m.sun_mesh_stiffness, "sun"), mesh(m.ring_mesh_stiffness, "ring"),
-      field(m.mesh_damping_ratio, block + "damping_ratio.mesh",
+      input(m.mesh_damping_ratio, block + "damping_ratio.mesh",
             "damping of the rotation of both gears on their mesh",
-            {.models = set, .range = {0.0, 2.0}, .reason = "typical of oiled steel gears"}),
-      field(m.bearing_damping_ratio, block + "damping_ratio.bearing",
+            {.range = {0.0, 2.0}, .reason = "typical of oiled steel gears"}),
+      input(m.bearing_damping_ratio, block + "damping_ratio.bearing",
             "damping of a planet on its bearings; bearings of rollers have their own",
-            {.models = set, .range = {0.0, 2.0}, .reason = "oiled roller bearings in a steel structure"}),
-      field(m.support_damping_ratio, block + "damping_ratio.support", "damping of a member on its support",
-            {.models = set, .range = {0.0, 2.0}, .reason = "bolted steel structure"}),
-      field(m.backlash, block + "backlash", "backlash along the line of action",
-            {.models = set,
-             .dimension = dimension::length,
+            {.range = {0.0, 2.0}, .reason = "oiled roller bearings in a steel structure"}),
+      input(m.support_damping_ratio, block + "damping_ratio.support", "damping of a member on its support",
+            {.range = {0.0, 2.0}, .reason = "bolted steel structure"}),
+      input(m.backlash, block + "backlash", "backlash along the line of action",
+            {.dimension = dimension::length,
              .range = {0.0, 100.0},
              .reason = "usual of modules of a few millimetres"}),
-      field(m.separation, block + "separation",
+      input(m.separation, block + "separation",
             "teeth transmit compression only and can separate; false: they also transmit tension",
-            {.models = set, .reason = "nothing left out"}),
-      field(m.sun_error, block + "transmission_error.sun",
+            {.reason = "nothing left out"}),
+      input(m.sun_error, block + "transmission_error.sun",
             "missing material on the flanks of the sun mesh at equal steps of a mesh period that begins as a "
             "pair "
             "touches",
             errors),
-      field(m.ring_error, block + "transmission_error.ring",
+      input(m.ring_error, block + "transmission_error.ring",
             "missing material on the flanks of the ring mesh at equal steps of a mesh period that begins as "
             "a pair "
             "touches",
             errors),
-      field(m.pin_error_radial, block + "pin_error.radial",
+      input(m.pin_error_radial, block + "pin_error.radial",
             "radial position error of each pin, positive outward", pins),
-      field(m.pin_error_tangential, block + "pin_error.tangential",
+      input(m.pin_error_tangential, block + "pin_error.tangential",
             "tangential position error of each pin, positive in the sense of rotation", pins),
       apart(m.bodies), apart(m.run_up), apart(m.frame));
 }

@@ -34,18 +34,14 @@ template <class Visitor>
 void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
   members(visit, m, sampling_rate_row(m.rate),
-          field(m.revolutions, "signal.carrier_revolutions",
+          input(m.revolutions, "signal.carrier_revolutions",
                 "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
-                {.models = planetary_drivetrain,
-                 .range = positive(1e4),
+                {.range = positive(1e4),
                  .reason = "side bands of the carrier sixteen lines apart",
                  .numerical = true}),
-          field(m.settling_revolutions, "signal.carrier_settling",
+          input(m.settling_revolutions, "signal.carrier_settling",
                 "revolutions of the carrier before sampling, in which the start transient decays",
-                {.models = planetary_drivetrain,
-                 .range = {0.0, 1e4},
-                 .reason = "some turns of planets and cages",
-                 .numerical = true}),
+                {.range = {0.0, 1e4}, .reason = "some turns of planets and cages", .numerical = true}),
           run_up_row(m.run_up_from));
 }
 
@@ -87,21 +83,18 @@ template <class Visitor>
 void describe(Visitor& visit, ScratchedPosition& m) {
   using namespace described;
   constexpr Where scratched{"defect.race", "outer|inner|roller"};
-  members(
-      visit, m,
-      field(
-          m.planet, "defect.planet", "number of the planet with the scratched bearing",
-          {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
-      field(m.bearing, "defect.bearing", "number of the scratched bearing of that planet",
-            {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
-      field(m.also, "defect.also", "further part with a scratch like that of defect.race",
-            {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
-      field(m.also_angle, "defect.also_angle", "angle of that scratch, as defect.angle",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::angle,
-             .range = {-360.0, 360.0},
-             .reason = "in the middle of the load zone",
-             .where = {"defect.also", "outer|inner|roller"}}));
+  members(visit, m,
+          input(m.planet, "defect.planet", "number of the planet with the scratched bearing",
+                {.range = {1, 100}, .reason = "the first one", .where = scratched}),
+          input(m.bearing, "defect.bearing", "number of the scratched bearing of that planet",
+                {.range = {1, 8}, .reason = "the first one", .where = scratched}),
+          input(m.also, "defect.also", "further part with a scratch like that of defect.race",
+                {.reason = "one scratch", .where = scratched}),
+          input(m.also_angle, "defect.also_angle", "angle of that scratch, as defect.angle",
+                {.dimension = dimension::angle,
+                 .range = {-360.0, 360.0},
+                 .reason = "in the middle of the load zone",
+                 .where = {"defect.also", "outer|inner|roller"}}));
 }
 
 /// Frequencies of pure rolling and of the teeth. Frequencies of the bearing are relative to the carrier.

@@ -7,9 +7,8 @@ namespace orbearing::study {
 
 inline auto sampling_rate_row(double& rate) {
   using namespace described;
-  return field(rate, "signal.sampling_rate", "sampling rate of the vibration",
-               {.models = scratched_bearings,
-                .dimension = dimension::frequency,
+  return input(rate, "signal.sampling_rate", "sampling rate of the vibration",
+               {.dimension = dimension::frequency,
                 .range = {1e-3, 1e5},
                 .reason = "a typical rate of instruments, far above the vibration of the ring",
                 .numerical = true});
@@ -17,11 +16,11 @@ inline auto sampling_rate_row(double& rate) {
 
 inline auto run_up_row(double& from) {
   using namespace described;
-  return field(
+  return input(
       from, "signal.run_up_from",
       "speed at the start as a share of the speed, with a linear run-up; spectra are then over orders of the "
       "shaft, in a gear set of the carrier",
-      {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"});
+      {.range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"});
 }
 
 }  // namespace orbearing::study

@@ -40,11 +40,10 @@ struct DrivenBearingSetup {
 /// Also used for a drivetrain.
 inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
-  return field(reduction_factor, "life.reduction_factor",
-               "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
-               {.models = with_rollers,
-                .range = positive(1.0),
-                .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1"});
+  return input(
+      reduction_factor, "life.reduction_factor",
+      "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
+      {.range = positive(1.0), .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1"});
 }
 
 /// All data besides its inputs on which a bearing's future depends, in the order of an FMU's model.

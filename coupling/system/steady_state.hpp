@@ -50,9 +50,8 @@ inline SteadyStateOptions with_window(SteadyStateOptions options, const bearing:
 /// Also used for a driven bearing.
 inline described::Row<double> length_error_row(double& allowed_length_error) {
   using namespace described;
-  return field(allowed_length_error, "simulation.length_error", "error of a position allowed in one step",
-               {.models = in_time,
-                .dimension = dimension::length,
+  return input(allowed_length_error, "simulation.length_error", "error of a position allowed in one step",
+               {.dimension = dimension::length,
                 .range = positive(0.1),
                 .reason = "coarser steps oscillate at closing contacts and take longer",
                 .numerical = true});
@@ -63,43 +62,28 @@ template <class Visitor>
 void describe(Visitor& visit, SteadyStateOptions& m) {
   using namespace described;
   rows(visit,
-       field(m.integration.method, "simulation.integrator",
+       input(m.integration.method, "simulation.integrator",
              "integration of the roller dynamics: linearly implicit method, or explicit method of order 5",
-             {.models = planetary_drivetrain,
-              .reason = "the same means in a fraction of the time",
-              .numerical = true}),
-       field(m.observed_windows, "simulation.observed_revolutions",
+             {.reason = "the same means in a fraction of the time", .numerical = true}),
+       input(m.observed_windows, "simulation.observed_revolutions",
              "number of cage revolutions for the means of the steady state; with inertia.gravity of the "
              "carrier",
-             {.models = planetary_drivetrain,
-              .range = {1, 100000},
-              .reason = "enough for maxima",
-              .numerical = true}),
-       field(m.most_windows, "simulation.most_revolutions",
+             {.range = {1, 100000}, .reason = "enough for maxima", .numerical = true}),
+       input(m.most_windows, "simulation.most_revolutions",
              "maximum number of cage revolutions to reach a steady state; with inertia.gravity of the "
              "carrier",
-             {.models = planetary_drivetrain,
-              .range = {2, 100000},
-              .reason = "bearings settle in a few",
-              .numerical = true}),
-       field(m.load_drift, "simulation.load_drift",
+             {.range = {2, 100000}, .reason = "bearings settle in a few", .numerical = true}),
+       input(m.load_drift, "simulation.load_drift",
              "limit for a steady state: difference of the rms loads of two consecutive revolutions",
-             {.models = planetary_drivetrain,
-              .range = positive(1.0),
-              .reason = "small compared with any effect on life",
-              .numerical = true}),
-       field(m.cage_drift, "simulation.cage_drift",
+             {.range = positive(1.0), .reason = "small compared with any effect on life", .numerical = true}),
+       input(m.cage_drift, "simulation.cage_drift",
              "limit for a steady state: difference of the cage speeds of two consecutive revolutions",
-             {.models = planetary_drivetrain,
-              .range = positive(1.0),
-              .reason = "small compared with any effect on slip",
-              .numerical = true}),
+             {.range = positive(1.0), .reason = "small compared with any effect on slip", .numerical = true}),
        length_error_row(m.allowed_length_error),
-       field(m.load_error_share, "simulation.load_error_share",
+       input(m.load_error_share, "simulation.load_error_share",
              "error of a position allowed in one step over the elastic approach of the most loaded roller at "
              "rest, where that is more than simulation.length_error",
-             {.models = planetary_drivetrain,
-              .range = {.least = 0.0, .most = 0.1},
+             {.range = {.least = 0.0, .most = 0.1},
               .reason = "heavily loaded contacts deflect more, and their loads err by a share of that",
               .numerical = true}));
 }

@@ -26,17 +26,11 @@ inline std::string radius_of(const std::string& body) {
 }
 inline described::Details described_mass() {
   using namespace described;
-  return {.models = planetary_drivetrain,
-          .required_by = toothless_set,
-          .dimension = dimension::mass,
-          .range = positive(1e6)};
+  return {.dimension = dimension::mass, .range = positive(1e6), .required_without_teeth = true};
 }
 inline described::Details described_stiffness(std::string_view reason) {
   using namespace described;
-  return {.models = planetary_drivetrain,
-          .dimension = dimension::stiffness,
-          .range = {0.0, 1e13},
-          .reason = reason};
+  return {.dimension = dimension::stiffness, .range = {0.0, 1e13}, .reason = reason};
 }
 /// Only what a case may leave out is optional.
 template <class Member>
@@ -46,12 +40,12 @@ std::string if_absent(const std::string& what) {
 template <class Member>
 described::Row<Member> mass_row(Member& mass, const std::string& body) {
   const std::string rings = body == "planet" ? " with the outer rings of its bearings" : "";
-  return field(mass, described_body(body) + ".mass",
+  return input(mass, described_body(body) + ".mass",
                "mass of the " + body + rings + if_absent<Member>("derived from the teeth"), described_mass());
 }
 template <class Member>
 described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
-  return field(inertia, described_body(body) + ".equivalent_mass",
+  return input(inertia, described_body(body) + ".equivalent_mass",
                "moment of inertia of the " + body + " over the square of its " + radius_of(body) +
                    if_absent<Member>("derived from the teeth"),
                described_mass());
@@ -59,22 +53,21 @@ described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
 /// @param reason why so stiff where a case does not say
 inline described::Row<double> support_row(double& stiffness, const std::string& body,
                                           std::string_view reason = {}) {
-  return field(stiffness, described_body(body) + ".support_stiffness",
+  return input(stiffness, described_body(body) + ".support_stiffness",
                "support stiffness of the " + body + ", 0: floating", described_stiffness(reason));
 }
 inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
-  return field(stiffness, described_body(body) + ".torsional_stiffness",
+  return input(stiffness, described_body(body) + ".torsional_stiffness",
                "stiffness against rotation of the " + body + ", on " + radius_of(body) + " x angle",
                described_stiffness("free to rotate; a fixed member is then held rigidly"));
 }
 template <class Member>
 described::Row<Member> bearing_stiffness_row(Member& stiffness) {
   using namespace described;
-  return field(stiffness, described_body("planet") + ".bearing_stiffness",
+  return input(stiffness, described_body("planet") + ".bearing_stiffness",
                "radial stiffness of all bearings of a planet and their pins" +
                    if_absent<Member>("of the given bearing at its mean load"),
-               {.models = planetary_drivetrain,
-                .dimension = dimension::stiffness,
+               {.dimension = dimension::stiffness,
                 .range = positive(1e13),
                 .reason = "two roller bearings of a planet of some 70 mm, loaded",
                 .default_without_bearing = true});

@@ -97,19 +97,14 @@ void describe(Visitor& visit, CarrierMounting& m) {
   const std::string block = "gearset.carrier.";
   const auto list = [&](std::vector<double>& member, const std::string& name, const std::string& meaning,
                         const Dimension& of, double least, double most, std::string_view beside) {
-    return field(
-        member, block + name, meaning,
-        {.models = planetary_drivetrain, .dimension = of, .range = {least, most}, .where = {.path = beside}});
+    return input(member, block + name, meaning,
+                 {.dimension = of, .range = {least, most}, .where = {.path = beside}});
   };
   constexpr std::string_view held = "gearset.carrier.bearing_positions";
   const auto number = [&](double& member, const std::string& name, const std::string& meaning,
                           const Dimension& of, Range range, std::string_view reason) {
-    return field(member, block + name, meaning,
-                 {.models = planetary_drivetrain,
-                  .dimension = of,
-                  .range = range,
-                  .reason = reason,
-                  .where = {.path = held}});
+    return input(member, block + name, meaning,
+                 {.dimension = of, .range = range, .reason = reason, .where = {.path = held}});
   };
   members(
       visit, m,
@@ -141,24 +136,21 @@ void describe(Visitor& visit, CarrierMounting& m) {
            "moment of the rotor on the carrier about the middle of the face: about the axis across and the "
            "upward one",
            dimension::torque, -1e9, 1e9, held),
-      field(m.sun_tilt_stiffness, "gearset.dynamics.sun.tilt_stiffness",
+      input(m.sun_tilt_stiffness, "gearset.dynamics.sun.tilt_stiffness",
             "stiffness of the sun's shaft against tilting of the sun, 0: it inclines freely",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::rotating_stiffness,
+            {.dimension = dimension::rotating_stiffness,
              .range = {0.0, 1e13},
              .reason = "a floating sun in a spline",
              .where = {.path = held}}),
-      field(m.sun_axial_stiffness, "gearset.dynamics.sun.axial_stiffness",
+      input(m.sun_axial_stiffness, "gearset.dynamics.sun.axial_stiffness",
             "axial stiffness that holds the sun in small vibration",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::stiffness,
+            {.dimension = dimension::stiffness,
              .range = {0.0, 1e13},
              .reason = "a spline, in which friction alone holds",
              .where = {.path = held}}),
-      field(m.planet_axial_stiffness, "gearset.dynamics.planet.axial_stiffness",
+      input(m.planet_axial_stiffness, "gearset.dynamics.planet.axial_stiffness",
             "axial stiffness between planet and pin in small vibration, of all bearings of a planet",
-            {.models = planetary_drivetrain,
-             .dimension = dimension::stiffness,
+            {.dimension = dimension::stiffness,
              .range = {0.0, 1e13},
              .reason = "cylindrical and needle rollers slide along their raceways; friction alone holds",
              .where = {.path = held}}));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bearing/motion/parameters.hpp"
+#include "mechanics/part_rows.hpp"
 
 namespace orbearing::bearing::balls {
 
@@ -29,25 +30,20 @@ void describe(Visitor& visit, EllipseParameters& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.rolling, "traction.ball_rolling_law",
+      input(m.rolling, "traction.ball_rolling_law",
             "resistance of balls to rolling by the regression of [Houpert1987], or as computed by Reynolds' "
             "equation",
-            {.models = balls_in_time,
-             .reason = "what published cases use; computed, it is 1.5 to 2 times as much",
+            {.reason = "what published cases use; computed, it is 1.5 to 2 times as much",
              .where = {"traction.rolling_resistance", "true"}}),
-      field(m.eyring_stress, "traction.eyring_stress", "shear stress at which the oil begins to thin",
-            {.models = balls_in_time,
-             .dimension = dimension::stress,
+      input(m.eyring_stress, "traction.eyring_stress", "shear stress at which the oil begins to thin",
+            {.dimension = dimension::stress,
              .range = positive(1.0),
              .reason = "mineral oil",
              .where = {"traction.law", "ree-eyring"}}),
-      field(m.slices, "traction.slices", "slices of an ellipse of contact across the direction of rolling",
-            {.models = balls_in_time,
-             .range = {1, 32},
-             .reason = "friction within a per cent",
-             .numerical = true}),
-      field(m.rows, "traction.rows", "points of each slice along the direction of rolling",
-            {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender", .numerical = true}));
+      input(m.slices, "traction.slices", "slices of an ellipse of contact across the direction of rolling",
+            {.range = {1, 32}, .reason = "friction within a per cent", .numerical = true}),
+      input(m.rows, "traction.rows", "points of each slice along the direction of rolling",
+            {.range = {1, 8}, .reason = "ellipses are slender", .numerical = true}));
 }
 
 /// Pockets of a ball bearing's cage.
@@ -59,12 +55,9 @@ template <class Visitor>
 void describe(Visitor& visit, PocketParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.straight, "bearing.cage.pocket_straight",
+          input(m.straight, "bearing.cage.pocket_straight",
                 "length of the straight part of an oblong pocket along the pitch circle",
-                {.models = balls_in_time,
-                 .dimension = dimension::length,
-                 .range = {0.0, 100.0},
-                 .reason = "round pockets"}));
+                {.dimension = dimension::length, .range = {0.0, 100.0}, .reason = "round pockets"}));
 }
 
 /// Motion of the oil-air mixture round the balls.
@@ -96,27 +89,22 @@ struct MixtureParameters {
 /// Rollers at rest have it too.
 inline auto oil_flow_row(double& flow) {
   using namespace described;
-  return field(flow, "lubricant.flow",
+  return input(flow, "lubricant.flow",
                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
-               {.models = ball_motion | roller_bearing,
-                .dimension = dimension::flow,
-                .range = {0.0, 1000.0},
-                .reason = "grease, or a bath"});
+               {.dimension = dimension::flow, .range = {0.0, 1000.0}, .reason = "grease, or a bath"});
 }
 
 template <class Visitor>
 void describe(Visitor& visit, MixtureParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.motion, "drag.mixture",
+          input(m.motion, "drag.mixture",
                 "oil and air around the balls rotate by their balance of angular momentum, or rest",
-                {.models = balls_in_time,
-                 .reason = "balls, cage and shaft drag them along",
-                 .where = {"drag.enabled", "true"}}),
+                {.reason = "balls, cage and shaft drag them along", .where = {"drag.enabled", "true"}}),
           oil_flow_row(m.flow),
-          field(m.fill, "lubricant.fill",
+          input(m.fill, "lubricant.fill",
                 "share of oil in the free volume: stated, or by flow and speed as Parker measured",
-                {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}));
+                {.reason = "lubricant.share", .where = {"drag.enabled", "true"}}));
 }
 
 /// A ring and what it carries along.
@@ -143,21 +131,20 @@ template <class Visitor>
 void describe(Visitor& visit, MotionParameters& m) {
   using namespace described;
   const std::string_view ring_alone = "the ring alone: a light shaft";
-  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
-          part(m.ellipse), part(m.pocket),
-          together(field(m.inner.mass, "rotor.mass",
+  const auto of_balls = [&] {  // others are of rollers alone
+    mechanics::describe_without(visit, m.race, m.race.sliding_share, m.race.rolling_law, m.race.film_heating,
+                                m.race.film_in_approach, m.race.lubrication, m.race.boundary_friction);
+  };
+  members(visit, m, part(m.race, of_balls),
+          part(m.cage, [&] { mechanics::describe_without(visit, m.cage, m.cage.pocket_stiffness); }),
+          part(m.drag), part(m.mixture), part(m.lubricant), part(m.ellipse), part(m.pocket),
+          together(input(m.inner.mass, "rotor.mass",
                          "mass that moves with the inner ring, including the ring; 0: the ring only",
-                         {.models = ball_motion,
-                          .dimension = dimension::mass,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone}),
-                   field(m.inner.across, "rotor.inertia",
+                         {.dimension = dimension::mass, .range = {0.0, 1e6}, .reason = ring_alone}),
+                   input(m.inner.across, "rotor.inertia",
                          "moment of inertia about a diameter of the parts that move with the inner ring; 0: "
                          "the ring only",
-                         {.models = ball_motion,
-                          .dimension = dimension::inertia,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone})),
+                         {.dimension = dimension::inertia, .range = {0.0, 1e6}, .reason = ring_alone})),
           apart(m.outer));
 }
 

@@ -35,35 +35,58 @@ std::vector<Context> contexts_of_rollers_at_rest() {
   const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
   constexpr unsigned rest = use::quasi_static;
   return {
-      {"film_and_oil", set, {"film.enabled=true", grade, clean},
+      {"film_and_oil",
+       set,
+       {"film.enabled=true", grade, clean},
        rest | use::crown | use::gears | use::modes | use::planet_stiffness},
-      {"oil_by_its_viscosity", set, {"life.contamination_factor=0.5", "lubricant.viscosity=0.004 Pa.s"},
+      {"oil_by_its_viscosity",
+       set,
+       {"life.contamination_factor=0.5", "lubricant.viscosity=0.004 Pa.s"},
        rest | use::crown},
       {"kappa_by_film", set, {grade, clean, "life.viscosity_ratio_by=film"}, rest | use::crown},
-      {"end_drop", set, {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
+      {"end_drop",
+       set,
+       {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
        rest | use::crown | use::planet_stiffness},
-      {"design_load", set, {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N"},
+      {"design_load",
+       set,
+       {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N"},
        rest | use::crown},
-      {"design_load_and_drop", set,
+      {"design_load_and_drop",
+       set,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N", "bearing.profile.drop=5 um"},
        rest},
-      {"end_drop_and_drop", set,
+      {"end_drop_and_drop",
+       set,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um", "bearing.profile.drop=4 um"},
        rest},
-      {"chamfer_and_tilt", set, {laminae, kind + "chamfer", "bearing.misalignment.planet_tilt=1 mrad"},
+      {"chamfer_and_tilt",
+       set,
+       {laminae, kind + "chamfer", "bearing.misalignment.planet_tilt=1 mrad"},
        rest | use::planet_stiffness},
-      {"tilt_of_two_level_bearings", set, {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed"},
+      {"tilt_of_two_level_bearings",
+       set,
+       {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed"},
        rest},
       {"tilt_of_one_level_bearing", set, {laminae, "bearing.tilt_state=computed"}, rest | use::crown},
-      {"tilt_of_pins_held_at_one_end", set,
+      {"tilt_of_pins_held_at_one_end",
+       set,
        {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed", "support.pin_ends=one"},
        rest | use::crown},
-      {"tilt_under_helical_teeth", set,
-       {laminae, "bearing.tilt_state=computed", "gearset.helix_angle=12 deg"}, rest},
-      {"elastic_rim", set, {"gearset.planet_rim=elastic"}, rest | use::mesh | use::modes | use::planet_stiffness},
-      {"helical", set, {"gearset.helix_angle=12 deg"},
+      {"tilt_under_helical_teeth",
+       set,
+       {laminae, "bearing.tilt_state=computed", "gearset.helix_angle=12 deg"},
+       rest},
+      {"elastic_rim",
+       set,
+       {"gearset.planet_rim=elastic"},
+       rest | use::mesh | use::modes | use::planet_stiffness},
+      {"helical",
+       set,
+       {"gearset.helix_angle=12 deg"},
        rest | use::mesh | use::gears | use::modes | use::fmu_gearset},
-      {"unmounted", set,
+      {"unmounted",
+       set,
        {"bearing.clearance_state=unmounted", "bearing.fit.inner_interference=4 um",
         "bearing.fit.outer_interference=20 um"},
        rest | use::mesh | use::modes},
@@ -71,12 +94,16 @@ std::vector<Context> contexts_of_rollers_at_rest() {
       {"rings_none", set, {"bearing.rings=none"}, rest | use::modes},
       {"full_complement", set, {"bearing.complement=full", "bearing.rollers=21"}, rest | use::crown},
       {"stated_support", set, {"support.stiffness=6e8 N/m"}, rest | use::gears | use::modes},
-      {"stated_bearing_stiffness", set, {kDynamics + "planet.bearing_stiffness=2.5e8 N/m"},
+      {"stated_bearing_stiffness",
+       set,
+       {kDynamics + "planet.bearing_stiffness=2.5e8 N/m"},
        use::gears | use::modes | use::modes_at_speed | use::fmu_gearset},
       {"held_carrier", set, {"gearset.fixed=carrier"}, rest | use::mesh},
       {"driven_carrier", set, {"input.member=carrier", "gearset.fixed=sun"}, rest | use::mesh},
       {"two_contacts_in_one_law", set, {"contact.law=iso16281"}, rest | use::planet_stiffness},
-      {"no_carrier_rotation", set, {"inertia.carrier_centrifugal=false", "inertia.coriolis=false"},
+      {"no_carrier_rotation",
+       set,
+       {"inertia.carrier_centrifugal=false", "inertia.coriolis=false"},
        rest | use::modes_at_speed},
       {"spectrum", set, {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}, rest},
       {"parallel_stage", set, {"parallel_stage.front=[30, 31]"}, rest | use::mesh},
@@ -84,23 +111,30 @@ std::vector<Context> contexts_of_rollers_at_rest() {
       {"displaced_and_laminae", "displaced_pins", {laminae, kind + "circular"}, rest},
       {"several_in_oil", "multi_stage", {grade, clean, "film.enabled=true"}, rest | use::planet_stiffness},
       {"several_by_film", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"}, rest},
-      {"first_set_tilts", "multi_stage",
-       {"sets.first." + laminae, "sets.first.bearing.misalignment.planet_tilt=1 mrad"}, rest}};
+      {"first_set_tilts",
+       "multi_stage",
+       {"sets.first." + laminae, "sets.first.bearing.misalignment.planet_tilt=1 mrad"},
+       rest}};
 }
 
 std::vector<Context> contexts_of_teeth() {
   const std::string set = "bearing_in_a_set", loaded = "gearset.tooth_contact=loaded";
-  const unsigned mesh_of_pair = analyses_of_machine(described::gear_pair, "mesh");
+  const unsigned mesh_of_pair = analyses_of_machine(gear_pair, "mesh");
   return {{"loaded_teeth", set, {loaded}, use::mesh},
-          {"relieved_teeth", set,
+          {"relieved_teeth",
+           set,
            {loaded, "gearset.tip_relief.sun=20 um", "gearset.tip_relief.planet=10 um",
             "gearset.lead_crown.sun=10 um", "gearset.lead_slope.ring=10 um"},
            use::mesh},
           {"helical_pair", "pair_of_gears", {"pair.helix_angle=12 deg"}, mesh_of_pair},
           {"pair_with_web", "pair_of_gears", {"pair.web.thickness=0.3"}, mesh_of_pair},
-          {"stated_meshes", "gears_alone",
-           {kDynamics + "mesh_stiffness.sun=4e8 N/m", kDynamics + "mesh_stiffness.ring=4e8 N/m"}, use::modes},
-          {"springs_that_turn", "masses_and_springs", {kDynamics + "sun.torsional_stiffness=1e7 N/m"},
+          {"stated_meshes",
+           "gears_alone",
+           {kDynamics + "mesh_stiffness.sun=4e8 N/m", kDynamics + "mesh_stiffness.ring=4e8 N/m"},
+           use::modes},
+          {"springs_that_turn",
+           "masses_and_springs",
+           {kDynamics + "sun.torsional_stiffness=1e7 N/m"},
            use::natural}};
 }
 
@@ -108,9 +142,9 @@ std::vector<Context> contexts_of_single_bearings() {
   const std::string rollers = "roller_bearing", balls = "ball_bearing",
                     rotating = "operation.shaft_speed=9000 rpm";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
-  const unsigned of_rollers = analyses_of_machine(described::roller_bearing, "run", "stiffness"),
-                 of_balls = analyses_of_machine(described::ball_bearing, "run", "stiffness"),
-                 of_pair = analyses_of_machine(described::duplex_pair, "modes", "run");
+  const unsigned of_rollers = analyses_of_machine(roller_bearing, "run", "stiffness"),
+                 of_balls = analyses_of_machine(ball_bearing, "run", "stiffness"),
+                 of_pair = analyses_of_machine(duplex_pair, "modes", "run");
   return {
       {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, of_rollers},
       {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, of_rollers},
@@ -149,32 +183,50 @@ std::vector<Context> contexts_of_single_bearings() {
       {"film_by_reynolds",
        "spin_film",
        {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
-       analyses_of_machine(described::spin_film, "run")},
+       analyses_of_machine(spin_film, "run")},
       {"no_scratch", "raceway_defect", {"defect.race=none"}, run_of_scratches(false)},
       {"scratched_ball", "raceway_defect", {"defect.race=ball"}, run_of_scratches(false)},
-      {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, run_of_scratches(false)}};
+      {"scratched_outer",
+       "raceway_defect",
+       {"defect.race=outer", "signal.run_up_from=0.8"},
+       run_of_scratches(false)}};
 }
 
 std::vector<Context> contexts_in_motion() {
   const std::string set = "bearing_in_a_set", balls = "ball_bearing_in_time";
   const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
-  const unsigned run_of_balls = analyses_of_machine(described::ball_motion, "run");
+  const unsigned run_of_balls = analyses_of_machine(ball_motion, "run");
   return {{"limiting_shear", set, {"traction.law=limiting-shear"}, use::dynamic | use::fmu_bearing},
-          {"mixed", set, {"traction.law=limiting-shear", "contact.lubrication=mixed"},
+          {"mixed",
+           set,
+           {"traction.law=limiting-shear", "contact.lubrication=mixed"},
            use::dynamic | use::monolithic | use::fmu_bearing},
-          {"kappa_by_film_in_motion", set, {grade, clean, "life.viscosity_ratio_by=film"},
+          {"kappa_by_film_in_motion",
+           set,
+           {grade, clean, "life.viscosity_ratio_by=film"},
            use::dynamic | use::co_simulated},
           {"squeezed", set, {"contact.squeeze=true"}, use::dynamic | use::fmu_bearing},
-          {"full_in_motion", set, {"bearing.complement=full", "bearing.rollers=21"},
+          {"full_in_motion",
+           set,
+           {"bearing.complement=full", "bearing.rollers=21"},
            use::dynamic | use::fmu_bearing},
-          {"smooth_pockets", set, {"bearing.cage.pocket_friction=0", "traction.law=limiting-shear"}, use::dynamic},
+          {"smooth_pockets",
+           set,
+           {"bearing.cage.pocket_friction=0", "traction.law=limiting-shear"},
+           use::dynamic},
           {"dry_air", set, {"drag.enabled=false"}, use::dynamic | use::fmu_bearing},
           {"run_up", set, {"input.acceleration=1000 rpm/s", "simulation.run_up_time=0.003 s"}, use::dynamic},
-          {"gears_run_up", set,
-           {kDynamics + "run_up.from=0.5", kDynamics + "run_up.duration=0.01 s"}, use::gears | use::fmu_gearset},
-          {"tilt_in_motion", set,
-           {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"}, use::dynamic},
-          {"several_by_film_in_motion", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"},
+          {"gears_run_up",
+           set,
+           {kDynamics + "run_up.from=0.5", kDynamics + "run_up.duration=0.01 s"},
+           use::gears | use::fmu_gearset},
+          {"tilt_in_motion",
+           set,
+           {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"},
+           use::dynamic},
+          {"several_by_film_in_motion",
+           "multi_stage",
+           {grade, clean, "life.viscosity_ratio_by=film"},
            use::dynamic_of_sets},
           {"balls_eyring", balls, {"traction.law=ree-eyring"}, run_of_balls},
           {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, run_of_balls},
@@ -186,7 +238,9 @@ std::vector<Context> contexts_in_motion() {
            run_of_balls},
           {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, run_of_balls},
           {"balls_without_drag", balls, {"drag.enabled=false"}, run_of_balls},
-          {"balls_squeezing", balls, {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
+          {"balls_squeezing",
+           balls,
+           {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
            run_of_balls}};
 }
 
@@ -224,13 +278,19 @@ std::string subject_name(const testing::TestParamInfo<Subject>& info) {
 
 // Fields that have an effect only in conditions that a short run may not reach.
 bool counts_now_and_then(const std::string& path, const Context& context) {
-  const bool filmed = std::ranges::find(context.settings, "bearing.cage.pocket_film=hydrodynamic") != context.settings.end();
+  const bool filmed =
+      std::ranges::find(context.settings, "bearing.cage.pocket_film=hydrodynamic") != context.settings.end();
   if (filmed && (path == "bearing.cage.pocket_damping" || path == "bearing.cage.pocket_friction"))
     return true;  // where a ball breaks through the film of its pocket
   static const std::set<std::string> paths{
-      "bearing.cage.largest_eccentricity", "bearing.cage.touch_down_stiffness",  // where the cage comes so near
-      "simulation.load_drift", "simulation.cage_drift", "simulation.most_revolutions",  // where it lasts so long
-      kDynamics + "settling_periods", kDynamics + "backlash", kDynamics + "separation",  // where teeth part
+      "bearing.cage.largest_eccentricity",
+      "bearing.cage.touch_down_stiffness",  // where the cage comes so near
+      "simulation.load_drift",
+      "simulation.cage_drift",
+      "simulation.most_revolutions",  // where it lasts so long
+      kDynamics + "settling_periods",
+      kDynamics + "backlash",
+      kDynamics + "separation",  // where teeth part
       "bearing.cage.pocket_straight"};
   return paths.contains(path);
 }
@@ -243,10 +303,10 @@ bool is_label(const Field& field) {
 // In motion a field takes a quarter of a second, and loaded teeth take half: each day some of them.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
-  const unsigned motions = use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears |
-                           run_of_scratches(false);
-  const unsigned slow = motions | analyses_of_machine(described::ball_motion, "run") |
-                        analyses_of_machine(described::duplex_pair, "run");
+  const unsigned motions =
+      use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears | run_of_scratches(false);
+  const unsigned slow =
+      motions | analyses_of_machine(ball_motion, "run") | analyses_of_machine(duplex_pair, "run");
   const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
   if ((subject.analysis & slow) != 0) return true;
   const auto hash = std::hash<std::string>{}(subject.context.name);
@@ -256,7 +316,8 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
 // Meshes hold a planet that does not tilt: what they are differs in the last digits of nothing.
 bool affects_rounding_alone(const std::string& path, const Subject& subject) {
   const bool level = subject.context.name.find("level_bearing") != std::string::npos;
-  return level && (makes_meshes(path) || path == "bearing.bore" || path == "gearset.sun_bore_ratio" || path == "gearset.ring_outside_ratio");
+  return level && (makes_meshes(path) || path == "bearing.bore" || path == "gearset.sun_bore_ratio" ||
+                   path == "gearset.ring_outside_ratio");
 }
 
 class EveryContext : public testing::TestWithParam<Subject> {
@@ -282,7 +343,9 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
   int used = 0, without = 0, refused = 0;
   for (const Input& input : plain.inputs()) {
     const Field& field = *input.field;
-    if (is_left_to_full_tests(field, GetParam()) || is_label(field) || counts_now_and_then(field.path, GetParam().context)) continue;
+    if (is_left_to_full_tests(field, GetParam()) || is_label(field) ||
+        counts_now_and_then(field.path, GetParam().context))
+      continue;
     const std::string set = GetParam().base->set;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(set))) continue;
     Change change = change_of(field, plain, input.path);
@@ -298,7 +361,8 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
       const ResolvedCase changed = in(more);
       status = use_status_of(changed, input, analysis);
       for (const std::string& warning : require_used(changed, analysis))
-        warned = warned || (warning.starts_with(input.path + ":") && warning.find("inferred") == std::string::npos);
+        warned = warned ||
+                 (warning.starts_with(input.path + ":") && warning.find("inferred") == std::string::npos);
       if (status == UseStatus::neutral) continue;
       after = result_of(changed, analysis);
     } catch (const BadInput&) {

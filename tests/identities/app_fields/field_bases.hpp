@@ -245,9 +245,11 @@ inline std::string rollers_case() {
 
 /// Run of a scratched ball bearing: of the ring alone, or of all that moves.
 inline use::Analysis run_of_scratches(bool in_time) {
-  return std::ranges::find_if(machine_analyses(), [&](const MachineAnalysis& one) {
-           return one.model == described::raceway_defect && one.in_time == in_time;
-         })->used;
+  return std::ranges::find_if(machine_analyses(),
+                              [&](const MachineAnalysis& one) {
+                                return one.model == raceway_defect && one.in_time == in_time;
+                              })
+      ->used;
 }
 
 inline const std::vector<Base>& bases() {
@@ -485,9 +487,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"film.enabled", {"true", rotating_balls}},
       {"film.solver", {"reynolds", {"contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"}}},
       {"contact.length",
-       {"10 mm",
-        {"film.solver=reynolds", "points=[[600 N, 5 m/s, 0 rad/s]]"},
-        {"contact.ellipticity=null"}}},
+       {"10 mm", {"film.solver=reynolds", "points=[[600 N, 5 m/s, 0 rad/s]]"}, {"contact.ellipticity=null"}}},
       {"lubricant.viscosity", {"0.02 Pa.s", filmed}},
       {"lubricant.pressure_viscosity", {"2e-8 Pa-1", filmed}},
       {"operation.speeds", {"[1000 rpm, 2000 rpm]"}},
@@ -641,7 +641,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
   if (field.path == "bearing.clearance_class")
     return {"C3",
             rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
-  if (field.path == "operation.shaft_speed" && (in.model() & described::single_scratched) != 0)
+  if (field.path == "operation.shaft_speed" && (in.model() & model_sets::single_scratched) != 0)
     return {"6400 rpm"};
   if (in.model() == roller_bearing) {  // whose quasi-static friction has oil and heat of its own
     std::vector<std::string> rotating{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",

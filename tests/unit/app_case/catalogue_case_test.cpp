@@ -286,7 +286,7 @@ TEST(CatalogueBearing, AnInferredInsideIsWarnedOf) {
   const auto of_balls = AllOf(HasSubstr("bearing.designation: the inside of"), HasSubstr("inferred"),
                               HasSubstr("uncertain"), HasSubstr("by 2 %"));
   EXPECT_THAT(inferred_warnings(of(kBallsByDesignation)), ElementsAre(of_balls));
-  EXPECT_THAT(require_used(of(kBallsByDesignation), machine_analysis(described::ball_bearing, "run")->used),
+  EXPECT_THAT(require_used(of(kBallsByDesignation), machine_analysis(ball_bearing, "run")->used),
               Contains(of_balls));
   EXPECT_THAT(inferred_warnings(shipped()), IsEmpty());
 }

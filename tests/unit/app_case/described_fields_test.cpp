@@ -75,7 +75,7 @@ TEST(Described, EachRowHasAMemberAndANameOfItsOwn) {
 struct Defaults {
   template <class Member>
   void operator()(Member& member, const Facts& facts) {
-    if (facts.details.models == no_model || facts.details.reason.empty()) return;
+    if (facts.internal || facts.details.reason.empty()) return;
     const Field* field = find_field(facts.path);
     ASSERT_NE(field, nullptr) << facts.path;
     EXPECT_EQ(field->default_reason, facts.details.reason);

@@ -258,7 +258,7 @@ TEST(Machines, AreReadAgainAsTheyWereWritten) {
 
 // The type of its parameter determines the inputs of an analysis: a mesh has no mass.
 TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
-  const MachineAnalysis* mesh = machine_analysis(described::gear_pair, "mesh");
+  const MachineAnalysis* mesh = machine_analysis(gear_pair, "mesh");
   ASSERT_NE(mesh, nullptr);
   EXPECT_THAT(paths_of<analysis::ElasticPair>(),
               AllOf(Contains("pair.bore"), Contains("pair.driven_bore"), Contains("pair.kind"),
@@ -266,13 +266,13 @@ TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
   EXPECT_THAT(require_used(read(pair, {"material.density=7000 kg/m3"}), mesh->used),
               Contains(HasSubstr("material.density: 7000 kg/m3 has no effect on mesh")));
   EXPECT_THAT(require_used(read(pair, {"pair.driven_bore=31 mm"}), mesh->used), IsEmpty());
-  EXPECT_EQ(machine_analysis(described::gear_pair, "run"), nullptr);
+  EXPECT_EQ(machine_analysis(gear_pair, "run"), nullptr);
 }
 
 // The type of one analysis holds more than that of the other, and some inputs depend on others.
 TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
-  const use::Analysis modes = machine_analysis(described::duplex_pair, "modes")->used,
-                      run = machine_analysis(described::duplex_pair, "run")->used;
+  const use::Analysis modes = machine_analysis(duplex_pair, "modes")->used,
+                      run = machine_analysis(duplex_pair, "run")->used;
   const auto warnings_of = [](const std::vector<std::string>& settings, use::Analysis analysis) {
     return require_used(read(duplex, settings), analysis);
   };
@@ -297,7 +297,7 @@ TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
               Contains(HasSubstr("operation.shaft_speed: 900 rpm has no effect on modes of a duplex pair")));
 }
 
-use::Analysis used_by(described::Model model, const char* command) {
+use::Analysis used_by(Model model, const char* command) {
   return machine_analysis(model, command)->used;
 }
 
@@ -316,8 +316,7 @@ TEST(MachineAnalyses, TakeAPartOfABearing) {
 
 // Inputs of profile and oil have the uses of the member that they state.
 TEST(MachineAnalyses, UseInputsByTheMemberThatTheyState) {
-  const use::Analysis run = used_by(described::roller_bearing, "run"),
-                      stiffness = used_by(described::roller_bearing, "stiffness");
+  const use::Analysis run = used_by(roller_bearing, "run"), stiffness = used_by(roller_bearing, "stiffness");
   const std::vector<std::string> crown{"bearing.profile.kind=circular", "bearing.profile.drop=5 um"};
   EXPECT_THAT(require_used(read(rollers, crown), run), IsEmpty());
   EXPECT_THAT(require_used(read(rollers, crown), stiffness), IsEmpty());
@@ -331,7 +330,7 @@ TEST(MachineAnalyses, UseInputsByTheMemberThatTheyState) {
 
 // Friction by a stated oil takes a grade beside a stated kappa.
 TEST(MachineAnalyses, UseAnOilForFriction) {
-  const use::Analysis run = used_by(described::roller_bearing, "run");
+  const use::Analysis run = used_by(roller_bearing, "run");
   const std::vector<std::string> kappa{"lubricant.grade=ISO VG 68", "life.viscosity_ratio=2",
                                        "life.contamination_factor=0.4"};
   std::vector<std::string> at_rest = kappa;
@@ -358,7 +357,7 @@ simulation: {duration: 0.01 s}
 )";
 
 TEST(MachineAnalyses, RefuseWhatTheyCannotInclude) {
-  const use::Analysis run = used_by(described::ball_motion, "run");
+  const use::Analysis run = used_by(ball_motion, "run");
   EXPECT_THAT(require_used(read(balls_in_time), run), IsEmpty());
   EXPECT_THROW(require_used(read(balls_in_time, {"load.tilt=1 mrad"}), run), BadInput);
   EXPECT_THAT(
@@ -386,7 +385,7 @@ TEST(Machines, AreCheckedByParts) {
 }
 
 TEST(MachineAnalyses, FailuresNameTheCase) {
-  const MachineAnalysis* modes = machine_analysis(described::duplex_pair, "modes");
+  const MachineAnalysis* modes = machine_analysis(duplex_pair, "modes");
   try {
     modes->compute(read(duplex, {"arrangement=tandem", "operation.shaft_speed=900000 rpm"}), {});
     FAIL() << "an equilibrium at any speed";

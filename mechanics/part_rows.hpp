@@ -1,48 +1,10 @@
-// Rows of a structure that cases of several models share (mechanics/described.hpp): those of one model, or of
-// a part that an analysis takes.
+// Some rows of a structure (mechanics/described.hpp): those that a machine, or an analysis of it, has.
 #pragma once
 
-#include <optional>
-#include <type_traits>
-#include <vector>
-
-#include "bearing/profile/profile.hpp"
 #include "mechanics/described.hpp"
 #include "mechanics/extents.hpp"
 
-namespace orbearing::analysis {
-
-using mechanics::Extents;
-
-/// Types of members that a case can state.
-template <class T>
-inline constexpr bool can_be_stated =
-    std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::optional<double>> ||
-    std::is_same_v<T, std::vector<double>> || std::is_same_v<T, bearing::profile::Profile>;
-
-/// A visitor that passes on the rows of one model.
-template <class Visitor>
-class RowsOfModel {
- public:
-  RowsOfModel(Visitor& visit, described::Model model) : visit_(visit), model_(model) {}
-
-  template <class Member>
-  void operator()(Member& member, const described::Facts& facts) {
-    if constexpr (can_be_stated<Member>)
-      if ((facts.details.models & model_) != 0) visit_(member, facts);
-  }
-
- private:
-  Visitor& visit_;
-  described::Model model_;
-};
-
-/// Describes the rows of `part` that cases of that model have.
-template <class Visitor, class Part>
-void describe_for_model(Visitor& visit, Part& part, described::Model model) {
-  RowsOfModel<Visitor> rows(visit, model);
-  describe(rows, part);
-}
+namespace orbearing::mechanics {
 
 /// A visitor that passes on the rows of all members but some, or their parts.
 template <class Visitor>
@@ -78,6 +40,22 @@ class RowsOnly {
   Extents taken_;
 };
 
+/// A visitor that passes on all rows, whose members a case may leave out.
+template <class Visitor>
+class RowsNotRequired {
+ public:
+  explicit RowsNotRequired(Visitor& visit) : visit_(visit) {}
+
+  template <class Member>
+  void operator()(Member& member, described::Facts facts) {
+    facts.details.may_be_absent = true;
+    visit_(member, facts);
+  }
+
+ private:
+  Visitor& visit_;
+};
+
 /// Describes `part` but for some of its members.
 template <class Visitor, class Part, class... Members>
 void describe_without(Visitor& visit, Part& part, const Members&... left_out) {
@@ -92,4 +70,11 @@ void describe_only(Visitor& visit, Part& part, const Members&... taken) {
   describe(rows, part);
 }
 
-}  // namespace orbearing::analysis
+/// Describes `part`, which a case may leave out.
+template <class Visitor, class Part>
+void describe_not_required(Visitor& visit, Part& part) {
+  RowsNotRequired<Visitor> rows(visit);
+  describe(rows, part);
+}
+
+}  // namespace orbearing::mechanics
