@@ -553,7 +553,7 @@ Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) cons
         .used_too(moving, {where(key_(set_.complement), {"full"}),
                            where_given({key_(planets_.dynamics.neighbours.friction)})});
   if (path == key_(race_.largest_barus_exponent))
-    return use.when(where(key_(race_.traction), {"limiting-shear", "ree-eyring"}));
+    return use.when(condition_of({key_(race_.traction), bearing::kLawsOfOil.text}));
   if (path == key_(race_.film_heating)) return also_used(use, use::quasi_static);
   if (path == key_(race_.viscosity_slope))
     return use.used_too(use::quasi_static, where(key_(race_.film_heating), {"gupta"}));

@@ -33,6 +33,27 @@ struct ShearParameters {
   double largest_exponent = 8.0;    // [-]    alpha p is held here: beyond it oil does not follow Barus
   bool by_roelands = false;         // else Barus
   RoelandsExponent<double> roelands{};
+
+  /// Of balls::MotionParameters.
+  template <class Motion>
+  static ShearParameters of(const Motion& given) {
+    constexpr double kLeastViscosity = 1e-5;  // [Pa s]  where there is no oil
+    const auto& race = given.race;
+    const double viscosity = given.lubricant.viscosity,
+                 pressure_viscosity = given.lubricant.pressure_viscosity;
+    using Pressed = decltype(Motion::race.pressure_law);
+    return {.law = race.traction,
+            .friction = race.friction,
+            .sliding_scale = race.sliding_scale,
+            .limiting_friction = race.limiting_friction,
+            .eyring_stress = given.ellipse.eyring_stress,
+            .viscosity = viscosity,
+            .pressure_viscosity = pressure_viscosity,
+            .largest_exponent = race.largest_barus_exponent,
+            .by_roelands = race.pressure_law == Pressed::roelands && viscosity > 0.0,
+            .roelands = RoelandsExponent<double>::of(
+                viscosity > kLeastViscosity ? viscosity : kLeastViscosity, pressure_viscosity)};
+  }
 };
 
 /// The oil at a point of the contact.

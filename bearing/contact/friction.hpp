@@ -289,13 +289,26 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   bool oiled_friction() const { return nature_of(traction).shears_oil || mixed; }
   bool oiled() const { return oiled_friction() || rolling_resistance; }
 
+  /// [N]  by a law of surfaces, which has no oil.
+  template <class Load, class Speed>
+  auto of_surfaces(const Load& load, const Speed& sliding) const {
+    switch (traction) {
+      case TractionLaw::regularised_coulomb:
+        return coulomb.force(load, sliding);
+      case TractionLaw::limiting_shear:
+      case TractionLaw::ree_eyring:
+        break;  // laws of oil
+    }
+    __builtin_trap();
+  }
+
   /// Gives `take` the friction [N] on the roller, with the slopes of the selected law, at `load` [N]
   /// >= 0, sliding speed `sliding` [m/s] of race less roller and ln of the entrainment speed (used where
   /// oiled()). It never opposes the sliding: force * sliding >= 0.
   template <class Load, class Speed, class LogSpeed, class Take>
   void friction(const Load& load, const Speed& sliding, const LogSpeed& log_speed, const Take& take) const {
     using mechanics::only;
-    if (!oiled_friction()) return take(coulomb.force(load, sliding));
+    if (!oiled_friction()) return take(of_surfaces(load, sliding));
     const auto loaded = mechanics::value_of(load) > 0.0;
     const auto contact = oiled_contact(above_zero(load, loaded), log_speed);
     const auto finish = [&](const auto& film_friction) {
@@ -306,7 +319,7 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     };
     switch (traction) {
       case TractionLaw::regularised_coulomb:
-        return finish(coulomb.force(contact.load, sliding));
+        return finish(of_surfaces(contact.load, sliding));
       case TractionLaw::limiting_shear:
         return finish(shear.force(contact, sliding, roelands));
       case TractionLaw::ree_eyring:

@@ -10,10 +10,10 @@ inline constexpr double kNoLamina = 1e9;  // [m]  a drop that no approach reache
 
 /// With d = (approach + position * end displacement - drop) where that is positive, else 0:
 struct LaminaSums {
-  double load = 0.0;         // [m^(10/9)]  sum of d^(10/9)
-  double end_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) position
-  double by_approach = 0.0;  // [m^(1/9)]  sum of d^(1/9)
-  double mixed = 0.0;        // [m^(1/9)]  sum of d^(1/9) position
+  double load = 0.0;                 // [m^(10/9)]  sum of d^(10/9)
+  double end_load = 0.0;             // [m^(10/9)]  sum of d^(10/9) position
+  double by_approach = 0.0;          // [m^(1/9)]  sum of d^(1/9)
+  double mixed = 0.0;                // [m^(1/9)]  sum of d^(1/9) position
   double by_end_displacement = 0.0;  // [m^(1/9)]  sum of d^(1/9) position^2
 };
 

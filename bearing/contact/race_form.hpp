@@ -11,8 +11,8 @@ namespace orbearing::bearing {
 
 /// Form of a race at one position.
 struct FormAt {
-  double height = 0.0;         // [m]      by which the radius is larger
-  double slope = 0.0;          // [m/rad]  d(height)/d(angle)
+  double height = 0.0;          // [m]      by which the radius is larger
+  double slope = 0.0;           // [m/rad]  d(height)/d(angle)
   double rotating_slope = 0.0;  // [m/rad]  the share of what turns with the race: -d(height)/d(race angle)
 };
 

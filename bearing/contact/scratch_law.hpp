@@ -37,9 +37,9 @@ struct DefectDepthTable {
 
 struct ScratchLaw {
   ScratchForm form = ScratchForm::raised_cosine;
-  double width = 0.0;    // [m]  along the track
-  double bottom = 0.0;   // [m]  depth of the scratch: no element sinks further
-  double deepest = 0.0;  // [m]  sinking of an element that rests on both edges
+  double width = 0.0;      // [m]  along the track
+  double bottom = 0.0;     // [m]  depth of the scratch: no element sinks further
+  double deepest = 0.0;    // [m]  sinking of an element that rests on both edges
   DefectDepthTable table;  // of a profile: what an element sinks, whatever `bottom` and `deepest` say
 };
 
@@ -101,7 +101,8 @@ DefectDepth<Number> defect_depth(const ScratchLaw& law, const Number& from_middl
   const DefectDepth<Number> unit = unit_depth(law.form, Number(from_middle * (1.0 / law.width)));
   const Number depth = law.deepest * unit.depth;
   const auto hanging = depth < Number{} + law.bottom;
-  return {select(hanging, depth, Number{} + law.bottom), only(hanging, (law.deepest / law.width) * unit.slope),
+  return {select(hanging, depth, Number{} + law.bottom),
+          only(hanging, (law.deepest / law.width) * unit.slope),
           only(hanging, (law.deepest / (law.width * law.width)) * unit.bend)};
 }
 
@@ -113,8 +114,8 @@ struct TrackDepth {
   Number bend{};      // [m/rad^2]
 };
 
-/// On a track of radius `radius` [m] whose scratch lies at the angle of which `ahead` and `towards` are sine and
-/// cosine from the element's; the sine approximates the angle. Zero off the scratch.
+/// On a track of radius `radius` [m] whose scratch lies at the angle of which `ahead` and `towards` are sine
+/// and cosine from the element's; the sine approximates the angle. Zero off the scratch.
 template <class Number>
 TrackDepth<Number> track_depth(const ScratchLaw& law, double radius, const Number& ahead,
                                const Number& towards) {

@@ -4,7 +4,7 @@
 
 namespace orbearing::bearing {
 
-/// Friction in a race contact as a function of the sliding speed.
+/// Friction in a race contact as a function of the sliding speed. A new law is put before the last one.
 enum class TractionLaw {
   regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
   limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
@@ -31,5 +31,22 @@ struct TractionNature {
   }
   __builtin_trap();  // no law has another value
 }
+
+/// Names of the laws that shear oil, or of those of surfaces, as a condition on other inputs has them: "a|b".
+struct LawNames {
+  char text[128]{};
+};
+constexpr LawNames law_names(bool shear_oil) {
+  LawNames names;
+  int end = 0;
+  for (int i = 0; i < kTractionLaws; ++i) {
+    const TractionNature nature = nature_of(static_cast<TractionLaw>(i));
+    if (nature.shears_oil != shear_oil) continue;
+    if (end > 0) names.text[end++] = '|';
+    for (const char* letter = nature.name; *letter != 0; ++letter) names.text[end++] = *letter;
+  }
+  return names;
+}
+inline constexpr LawNames kLawsOfOil = law_names(true), kLawsOfSurfaces = law_names(false);
 
 }  // namespace orbearing::bearing

@@ -131,7 +131,7 @@ inline auto film_row(bool& in_approach) {
 template <class Visitor>
 void describe(Visitor& visit, RaceContactParameters& m) {
   using namespace described;
-  constexpr Where coulomb{"traction.law", "regularised-coulomb"}, mixed{"contact.lubrication", "mixed"};
+  constexpr Where coulomb{"traction.law", kLawsOfSurfaces.text}, mixed{"contact.lubrication", "mixed"};
   members(
       visit, m,
       input(m.damping, "contact.damping", "relative increase of a race load per approach speed",
@@ -159,7 +159,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
       internal(m.least_sliding_scale, "traction.least_sliding_scale"),
       input(m.pressure_law, "traction.pressure_law",
             "growth of the viscosity with pressure in sheared films: Barus, limited, or Roelands",
-            {.reason = "what published cases use", .where = {"traction.law", "limiting-shear|ree-eyring"}}),
+            {.reason = "what published cases use", .where = {"traction.law", kLawsOfOil.text}}),
       input(m.largest_barus_exponent, "traction.largest_barus_exponent",
             "limit of pressure-viscosity coefficient times pressure (Barus)",
             {.range = positive(100.0),

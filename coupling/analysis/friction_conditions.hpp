@@ -38,7 +38,7 @@ std::vector<mechanics::Conditional<Inputs>> conditions_of_ball_friction(
        .premises = {
            {.on = {law},
             .holds = [](const Inputs& in) { return nature_of(moving_balls(in).race.traction).shears_oil; },
-            .value = "limiting-shear|ree-eyring"}}}};
+            .value = bearing::kLawsOfOil.text}}}};
 }
 
 }  // namespace orbearing::analysis

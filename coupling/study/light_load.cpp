@@ -35,7 +35,7 @@ std::optional<double> under_loads_at_rest(const PlanetaryDrivetrain& drivetrain,
                                           const std::optional<WindowStatistics>& at_rest,
                                           const Function& of) {
   const bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
-  if (!at_rest || parameters.race.traction != bearing::TractionLaw::regularised_coulomb ||
+  if (!at_rest || nature_of(parameters.race.traction).shears_oil ||
       parameters.race.lubrication != bearing::motion::Lubrication::full ||
       duty.point.inner_speed == duty.point.outer_speed)
     return std::nullopt;

@@ -18,24 +18,6 @@ using constants::pi;
 using constants::two_pi;
 using mechanics::require;
 
-constexpr double kLeastViscosity = 1e-5;  // [Pa s]  where there is no oil
-
-ShearParameters shear_parameters(const MotionParameters& given) {
-  const motion::RaceContactParameters& race = given.race;
-  return {
-      .law = race.traction,
-      .friction = race.friction,
-      .sliding_scale = race.sliding_scale,
-      .limiting_friction = race.limiting_friction,
-      .eyring_stress = given.ellipse.eyring_stress,
-      .viscosity = given.lubricant.viscosity,
-      .pressure_viscosity = given.lubricant.pressure_viscosity,
-      .largest_exponent = race.largest_barus_exponent,
-      .by_roelands = race.pressure_law == motion::PressureLaw::roelands && given.lubricant.viscosity > 0.0,
-      .roelands = RoelandsExponent<double>::of(std::max(given.lubricant.viscosity, kLeastViscosity),
-                                               given.lubricant.pressure_viscosity)};
-}
-
 // Radius of the ball and the race in the direction of rolling, that of the race where it is touched.
 double rolling_radius(const Bearing& bearing, Race race) {
   const double gamma = slenderness(bearing), diameter = bearing.balls().diameter;
@@ -277,7 +259,7 @@ BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& given) 
   c.entrainment_scale = given.race.entrainment_scale;
   c.inner = groove(bearing, Race::inner, given);
   c.outer = groove(bearing, Race::outer, given);
-  c.shear = shear_parameters(given);
+  c.shear = ShearParameters::of(given);
   c.points = ellipse_points(given.ellipse.slices, given.ellipse.rows);
   c.pocket = pocket(bearing, given);
   c.land = lands(bearing, given);
