@@ -25,7 +25,7 @@ inline bool begins_with_one_of(std::string_view path, std::initializer_list<std:
                      [&](std::string_view part) { return path.starts_with(part); });
 }
 
-/// Analyses as bits, so that a row can name several. A new one is a bit here and a name in field_use.cpp;
+/// Analyses as bits, so that a row can name several. A new one is a bit here and a name in analysis_names.cpp;
 /// until the rows name it, all that a case gives is warned of.
 namespace use {
 enum Analysis : unsigned {
