@@ -5,6 +5,7 @@
 #include "app/case/input_keys.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
+#include "mechanics/part_rows.hpp"
 
 namespace orbearing::app::table {
 
@@ -140,8 +141,10 @@ void add_bearing_fields(std::vector<Field>& fields) {
   add_bearing_type(
       fields, planetary_drivetrain,
       Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh));
-  add_described(fields, default_drivetrain());
-  row_of(fields, keys().first_element).models = no_model;  // planet bearings pass all positions
+  DescribedFields visit(fields, planetary_drivetrain);
+  study::PlanetaryDrivetrain drivetrain = default_drivetrain();
+  // Planet bearings pass all positions of their rollers.
+  mechanics::describe_without(visit, drivetrain, drivetrain.bearing.first_element);
   add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
   add_forms(fields);
 }

@@ -25,7 +25,6 @@ InputKeys::InputKeys() {
     bearing_type = key(of.bearing_type);
     complement = key(of.complement);
     per_planet = key(of.planets.bearings_per_planet);
-    first_element = key(of.planets.bearing.first_element);
     clearance_state = key(of.planets.mounting.state);
     inner_interference = key(of.planets.mounting.inner_interference);
     outer_interference = key(of.planets.mounting.outer_interference);
