@@ -141,9 +141,10 @@ void add_bearing_fields(std::vector<Field>& fields) {
   add_bearing_type(
       fields, planetary_drivetrain,
       Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh));
-  DescribedFields visit(fields, planetary_drivetrain);
   study::PlanetaryDrivetrain drivetrain = default_drivetrain();
-  // Planet bearings pass all positions of their rollers.
+  add_described(fields, drivetrain.bearing, no_model);
+  // All of these but the angle of the first roller: the rollers of a planet pass all positions.
+  DescribedFields visit(fields, planetary_drivetrain);
   mechanics::describe_without(visit, drivetrain, drivetrain.bearing.first_element);
   add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
   add_forms(fields);

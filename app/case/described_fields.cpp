@@ -28,6 +28,8 @@ void DescribedFields::add(Field field) {
     fields_.push_back(std::move(field));
     return;
   }
+  same->models |= field.models;
+  same->required_by |= field.required_by;
   const bool states_none = field.default_text.empty();  // the other row has the default
   if (!states_none && same->default_text != field.default_text)
     throw std::logic_error(
