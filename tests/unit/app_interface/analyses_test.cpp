@@ -12,6 +12,7 @@
 #include "orbearing/errors.hpp"
 #include "orbearing/machines.hpp"
 #include "orbearing/sweep.hpp"
+#include "tests/unit/app_interface/shipped_case.hpp"
 
 namespace orbearing {
 namespace {
@@ -19,9 +20,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-Case shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
-  return Case::read(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings);
-}
 Case industrial(const std::vector<std::string>& settings = {}) {
   return Case::read(ORBEARING_SOURCE_DIR "/cases/templates/industrial.yaml", settings);
 }

@@ -10,6 +10,7 @@
 
 #include "app/case/member_values.hpp"
 #include "orbearing/errors.hpp"
+#include "tests/unit/app_interface/shipped_case.hpp"
 
 namespace orbearing {
 namespace {
@@ -20,10 +21,6 @@ std::vector<std::string> shipped_cases() {
     if (entry.path().filename() == "case.yaml") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
-}
-
-Case shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
-  return Case::read(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings);
 }
 
 // Changes the member of one number among those that have a row, or follow from others.
