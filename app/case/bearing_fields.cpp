@@ -3,7 +3,6 @@
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 #include "mechanics/part_rows.hpp"
 

@@ -10,7 +10,6 @@
 #include "app/case/machine_rows.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/part_of_data.hpp"
-#include "app/case/profile_case.hpp"
 #include "app/case/requirements_case.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/spectrum_case.hpp"

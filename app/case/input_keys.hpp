@@ -31,6 +31,9 @@ struct InputKeys {
       scratched_bearing, modulus;
 };
 
+/// Key of the input that chooses the kind of a roller's profile, by which its other inputs have a meaning.
+inline constexpr const char* kProfileKind = "bearing.profile.kind";
+
 /// The keys, which are found once.
 const InputKeys& keys();
 

@@ -9,9 +9,6 @@
 
 namespace orbearing::app {
 
-/// Key of the input that chooses the kind of profile, by which the others have a meaning.
-inline constexpr const char* kProfileKind = "bearing.profile.kind";
-
 /// Profile of one roller; straight where the case has none. Throws std::invalid_argument where it has no
 /// meaning.
 bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
