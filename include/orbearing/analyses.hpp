@@ -44,7 +44,7 @@ struct Sweep {
   std::vector<study::PointRow> points;
   std::vector<double> governing_life_hours;  // [h]  (points)  not a number: the point has none
   std::optional<std::size_t> longest_lived;  // the point with the longest life; none: no point has one
-  std::string life;                          // key of the governing life among results, as "L10mrh_h"
+  std::string life;                          // key of the governing life among results, as "L10mrh"
 };
 struct SweepChoices {
   std::vector<double> speeds{};  // [rad/s]  of the input, instead of the sweep of the case; none: that

@@ -19,6 +19,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 Case industrial(const std::vector<std::string>& settings = {}) {
   return Case::read(ORBEARING_SOURCE_DIR "/cases/templates/industrial.yaml", settings);
@@ -39,41 +40,41 @@ TEST(Analyses, OfAPointGiveTheNumbersOfATable) {
   const double speed = stated.number("input.speed");
   const Points table = evaluate(stated, {"input.speed"}, {speed});
   EXPECT_NEAR(found.result.tangential_load / column(table, "tangential_load_N"), 1.0, kDigits);
-  EXPECT_NEAR(found.result.rating.hours.modified_reference / column(table, "L10mrh_h"), 1.0, kDigits);
+  EXPECT_NEAR(found.result.rating.hours.modified_reference / column(table, "L10mrh"), 1.0, kDigits);
   EXPECT_EQ(found.result.governing_life_hours, found.result.rating.hours.modified_reference);
   EXPECT_FALSE(found.result.distribution.angle.empty());
 }
 
 TEST(Analyses, OfAPointWarn) {
   const Warned<OperatingPoint> found = quasi_static(industrial({"gearset.profile_shift.sun=-0.7"}));
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("gearset.profile_shift.sun")));
+  EXPECT_THAT(found.warnings, Contains(HasSubstr("the sun is undercut")));
 }
 
 TEST(Analyses, InMotionHaveSlipAndLosses) {
   const Case stated = shipped(
       "reducer_150kW",
-      {"simulation.observed_revolutions=1", "simulation.most_revolutions=1", "gearset.mesh_variation=false"});
+      {"simulation.observed_revolutions=1", "simulation.most_revolutions=2", "gearset.mesh_variation=false"});
   const Warned<OperatingPoint> found = in_motion(stated);
   ASSERT_TRUE(found.result.dynamic);
   EXPECT_GT(found.result.dynamic->series.time.size(), 0);
   EXPECT_GT(found.result.governing_life_hours, 0.0);
 }
 
-TEST(Analyses, ThatFindNoResultFail) {
-  EXPECT_THROW(quasi_static(industrial({"input.power=1e6 kW"})), ComputationFailed);
+TEST(Analyses, SayWhereAPointIsNoMachine) {
+  EXPECT_THAT(quasi_static(industrial({"input.power=1e7 kW"})).result.status, StartsWith("implausible"));
 }
 
 TEST(Sweeps, FindTheLongestLife) {
   const Case stated = industrial();
   const Warned<Sweep> found = sweep(stated, {.speeds = {1000 * rpm, 2000 * rpm, 3000 * rpm}, .jobs = 1});
   const Sweep& curve = found.result;
-  EXPECT_EQ(curve.life, "L10mrh_h");
+  EXPECT_EQ(curve.life, "L10mrh");
   ASSERT_EQ(curve.points.size(), curve.governing_life_hours.size());
   ASSERT_TRUE(curve.longest_lived);
   EXPECT_EQ(curve.governing_life_hours[*curve.longest_lived], std::ranges::max(curve.governing_life_hours));
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Points alone = evaluate(stated, {"input.speed"}, {curve.points[i].input_speed});
-    EXPECT_NEAR(curve.governing_life_hours[i] / column(alone, "L10mrh_h"), 1.0, kDigits);
+    EXPECT_NEAR(curve.governing_life_hours[i] / column(alone, "L10mrh"), 1.0, kDigits);
   }
 }
 

@@ -136,7 +136,7 @@ Tried try_all(const Case& stated, const Struct& own, const Put& put, const Read&
   }
 }
 
-TEST(Machines, OfEveryCaseAreThatCaseAgain) {
+TEST(MachinesOfCases, OfEveryCaseAreThatCaseAgain) {
   for (const std::string& file : shipped_cases()) {
     SCOPED_TRACE(file);
     const Case stated = Case::read(file);
@@ -144,13 +144,13 @@ TEST(Machines, OfEveryCaseAreThatCaseAgain) {
   }
 }
 
-TEST(Machines, HaveNumbersInSi) {
+TEST(MachinesOfCases, HaveNumbersInSi) {
   const PlanetaryDrivetrain reducer = drivetrain_of(shipped("reducer_150kW"));
   EXPECT_EQ(reducer.drive.power, 150e3);
   EXPECT_EQ(reducer.single().planets.bearing.element_count(), 15);
 }
 
-TEST(Machines, ChangeWhatFollowsToo) {
+TEST(MachinesOfCases, ChangeWhatFollowsToo) {
   const Case stated = shipped("reducer_150kW");
   PlanetaryDrivetrain reducer = drivetrain_of(stated);
   reducer.drive.power = 120e3;
@@ -162,13 +162,13 @@ TEST(Machines, ChangeWhatFollowsToo) {
             stated.with("input.power", "120000 W").with("bearing.radial_clearance", "2.5e-05 m").resolved());
 }
 
-TEST(Machines, OfOtherModelsAreRefused) {
+TEST(MachinesOfCases, OfOtherModelsAreRefused) {
   const Case bearing = shipped("harris_209"), reducer = shipped("reducer_150kW");
   EXPECT_THROW(drivetrain_of(bearing), BadInput);
   EXPECT_THROW(changed(reducer, machine_of(bearing)), BadInput);
 }
 
-TEST(Machines, OtherSetsAndShaftsAreRefused) {
+TEST(MachinesOfCases, OtherSetsAndShaftsAreRefused) {
   const Case stated = shipped("reducer_150kW");
   PlanetaryDrivetrain twice = drivetrain_of(stated);
   twice.sets.push_back(twice.sets.front());
@@ -178,7 +178,7 @@ TEST(Machines, OtherSetsAndShaftsAreRefused) {
   EXPECT_THROW(changed(stated, with_shaft), BadInput);
 }
 
-TEST(Machines, EveryMemberOfADrivetrainIsSetOrRefused) {
+TEST(MachinesOfCases, EveryMemberOfADrivetrainIsSetOrRefused) {
   const Case stated = shipped("reducer_150kW");
   const PlanetaryDrivetrain own = drivetrain_of(stated);
   const auto as_set = [&](const analysis::StatedSet& set) {
@@ -211,7 +211,7 @@ void try_single(const std::string& name) {
   EXPECT_GT(tried.set, 4);
 }
 
-TEST(Machines, EveryMemberOfTheOthersIsSetOrRefused) {
+TEST(MachinesOfCases, EveryMemberOfTheOthersIsSetOrRefused) {
   try_single<RollerBearing>("harris_209");
   try_single<BallBearing>("jones_218");
   try_single<MovingBallBearing>("nasa_35mm");
