@@ -114,6 +114,16 @@ TEST(Analyses, OfGears) {
   EXPECT_FALSE(modes(shipped("lin_parker_1999")).result.modes.empty());
 }
 
+// The profile with the longest life lives at least as long as any other, and relieved ends lower the
+// pressure.
+TEST(Analyses, OfCrownsRecommendAProfile) {
+  const Crowning found = crown(industrial(), 1).result;
+  EXPECT_GT(found.recommended.drop, 0.0);
+  EXPECT_GE(found.longest_lived.life_hours, found.by_standard.life_hours);
+  EXPECT_GE(found.longest_lived.life_hours, found.straight.life_hours);
+  EXPECT_LT(found.recommended.peak_pressure, found.straight.peak_pressure);
+}
+
 TEST(Analyses, RefuseOtherMachines) {
   const Case bearing = shipped("harris_209");
   EXPECT_THROW(quasi_static(bearing), BadInput);
