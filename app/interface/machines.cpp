@@ -13,29 +13,36 @@ namespace {
 
 using Values = std::map<app::MemberValues::Place, app::MemberValue>;
 
-constexpr const char* kOther =
-    ": found another value in the changed structure; required: the value of the "
-    "case, since it follows from other inputs or several inputs state it; "
-    "Case::with() sets these";
+/// Values of one part of a machine, whose inputs are in the set of that prefix.
+struct PartValues {
+  std::string prefix;
+  Values values;
+};
+
+std::vector<PartValues> values_of(const PlanetaryDrivetrain& machine) {
+  std::vector<PartValues> parts{{"", app::member_values(machine.drive)}};
+  for (const auto& [name, set] : machine.sets)
+    parts.push_back({name.empty() ? "" : app::set_prefix(name), app::member_values(set)});
+  return parts;
+}
+template <class Single>
+std::vector<PartValues> values_of(const Single& machine) {
+  return {{"", app::member_values(machine)}};
+}
+std::vector<PartValues> values_of(const Machine& machine) {
+  return std::visit([](const auto& one) { return values_of(one); }, machine);
+}
 
 /// Settings of a case by the members in which two structures differ.
 class Differences {
  public:
   explicit Differences(const app::ResolvedCase& of) : of_(of) {}
 
-  void add(const Values& before, const Values& after, const std::string& prefix = "") {
-    for (const auto& [place, value] : after) {
-      const auto old = before.find(place);
-      if (old == before.end() || old->second != value) add(path_of(prefix, place.first), value);
+  void add(const PartValues& before, const PartValues& after) {
+    for (const auto& [place, value] : after.values) {
+      const auto old = before.values.find(place);
+      if (old == before.values.end() || old->second != value) add(path_of(after.prefix, place.first), value);
     }
-    for (const auto& [place, value] : before)
-      if (!after.contains(place) && !value.text.empty())
-        mistakes_.push_back(path_of(prefix, place.first) +
-                            ": found no such member in the changed structure, but a value in the case; "
-                            "required: a choice that the case can take beside its other inputs");
-  }
-  void require(bool holds, const std::string& mistake) {
-    if (!holds) mistakes_.push_back(mistake);
   }
 
   /// Throws BadInput where there are changes that no setting makes.
@@ -53,16 +60,15 @@ class Differences {
   }
 
   void add(const std::string& path, const app::MemberValue& value) {
-    if (!value.settable) {
-      mistakes_.push_back((path.empty() ? "a member without a key" : path) + kOther);
-      return;
-    }
-    if (value.text.empty()) {
-      mistakes_.push_back(path +
-                          ": found absent in the changed structure; required: a value, since a case "
-                          "that is read cannot lose one");
-      return;
-    }
+    if (!value.settable)
+      return mistakes_.push_back(
+          (path.empty() ? "a member without a key" : path) +
+          ": found another value in the changed structure; required: the value of the case, since it follows "
+          "from other inputs or several inputs state it; Case::with() sets these");
+    if (value.text.empty())
+      return mistakes_.push_back(path +
+                                 ": found absent in the changed structure; required: a value, since a case "
+                                 "that is read cannot lose one");
     const auto [there, fresh] = settings_.emplace(path, value.text);
     if (!fresh && there->second != value.text)
       mistakes_.push_back(path + ": found " + there->second + " and " + value.text +
@@ -74,6 +80,26 @@ class Differences {
   std::vector<std::string> mistakes_;
 };
 
+// Throws BadInput where the case that was made has another value than `after` in a member that changed.
+void require_changes(const PartValues& before, const PartValues& after, const PartValues& made) {
+  std::vector<std::string> mistakes;
+  const auto require = [&](bool holds, const std::string& path) {
+    if (!holds)
+      mistakes.push_back(
+          after.prefix + path +
+          ": found a change that the other inputs of the case do not leave; required: one that "
+          "Case::with() can make");
+  };
+  for (const auto& [place, value] : after.values) {
+    const auto old = before.values.find(place), now = made.values.find(place);
+    const bool same = old != before.values.end() && old->second == value;
+    require(same || (now != made.values.end() && now->second == value), place.first);
+  }
+  for (const auto& [place, value] : before.values)
+    require(after.values.contains(place) || !made.values.contains(place), place.first);
+  if (!mistakes.empty()) throw BadInput(mistakes);
+}
+
 bool are_same(const std::vector<gearset::Shaft>& some, const std::vector<gearset::Shaft>& others) {
   return std::ranges::equal(some, others, [](const gearset::Shaft& one, const gearset::Shaft& other) {
     return one.name == other.name && one.members == other.members && one.motor == other.motor &&
@@ -81,25 +107,13 @@ bool are_same(const std::vector<gearset::Shaft>& some, const std::vector<gearset
   });
 }
 
-void compare(const PlanetaryDrivetrain& before, const PlanetaryDrivetrain& after, Differences& found) {
-  found.add(app::member_values(before.drive), app::member_values(after.drive));
-  const bool same_sets = std::ranges::equal(before.sets, after.sets, {}, &analysis::NamedStatedSet::name,
-                                            &analysis::NamedStatedSet::name);
-  found.require(same_sets, "sets: found other sets in the changed structure; required: those of the case");
-  found.require(are_same(before.shafts, after.shafts),
-                "shafts: found other shafts in the changed structure; required: those of the case");
-  if (!same_sets) return;
-  for (std::size_t i = 0; i < before.sets.size(); ++i) {
-    const std::string& name = before.sets[i].name;
-    found.require(before.sets[i].set.oil_density == after.sets[i].set.oil_density,
-                  std::string("the oil's density") + kOther);
-    found.add(app::member_values(before.sets[i].set), app::member_values(after.sets[i].set),
-              name.empty() ? "" : app::set_prefix(name));
-  }
-}
-template <class Single>
-void compare(const Single& before, const Single& after, Differences& found) {
-  found.add(app::member_values(before), app::member_values(after));
+// What of a drivetrain no member with a key states.
+void require_same_rest(const PlanetaryDrivetrain& before, const PlanetaryDrivetrain& after) {
+  if (!std::ranges::equal(before.sets, after.sets, {}, &analysis::NamedStatedSet::name,
+                          &analysis::NamedStatedSet::name))
+    throw BadInput("sets: found other sets in the changed structure; required: those of the case");
+  if (!are_same(before.shafts, after.shafts))
+    throw BadInput("shafts: found other shafts in the changed structure; required: those of the case");
 }
 
 }  // namespace
@@ -128,10 +142,15 @@ Case changed(const Case& stated, const Machine& machine) {
   if (before.index() != machine.index())
     throw BadInput(in.file() + ": found the structure of another machine; required: that of the model " +
                    in.choice("model"));
+  if (const auto* drivetrain = std::get_if<PlanetaryDrivetrain>(&before))
+    require_same_rest(*drivetrain, std::get<PlanetaryDrivetrain>(machine));
+  const std::vector<PartValues> own = values_of(before), wanted = values_of(machine);
   Differences found(in);
-  std::visit([&](const auto& own) { compare(own, std::get<std::decay_t<decltype(own)>>(machine), found); },
-             before);
-  return Case(in.with(found.settings()));
+  for (std::size_t i = 0; i < own.size(); ++i) found.add(own[i], wanted[i]);
+  Case made(in.with(found.settings()));
+  const std::vector<PartValues> now = values_of(machine_of(made));
+  for (std::size_t i = 0; i < own.size(); ++i) require_changes(own[i], wanted[i], now[i]);
+  return made;
 }
 
 }  // namespace orbearing

@@ -168,6 +168,17 @@ TEST(MachinesOfCases, OfOtherModelsAreRefused) {
   EXPECT_THROW(changed(reducer, machine_of(bearing)), BadInput);
 }
 
+// Another structure is chosen by its inputs, unless inputs of the former one are in the case.
+TEST(MachinesOfCases, ChoicesAreMadeOrRefused) {
+  const Case stated = shipped("duplex_7020");
+  DuplexPair pair = std::get<DuplexPair>(machine_of(stated));
+  pair.preloaded.housing = bearing::duplex::Housing{.mass = 40.0, .inertia = 0.5};
+  const Case free = changed(stated, pair);
+  EXPECT_EQ(free.number("housing.mass"), 40.0);
+  EXPECT_EQ(free.number("housing.inertia"), 0.5);
+  EXPECT_THROW(changed(free, machine_of(stated)), BadInput);  // a case that is read cannot lose its housing
+}
+
 TEST(MachinesOfCases, OtherSetsAndShaftsAreRefused) {
   const Case stated = shipped("reducer_150kW");
   PlanetaryDrivetrain twice = drivetrain_of(stated);
