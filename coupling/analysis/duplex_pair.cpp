@@ -73,7 +73,7 @@ std::vector<mechanics::Conditional<Inputs>> conditions_of_pair() {
                      .holds = [](const Inputs& in) { return preloaded(in).has_linear_formulas(); },
                      .text = "where " + arrangement + " is face-to-face or tandem, and " + speed + " is 0"}}},
       {.keys = key.within(pair.ball_inertia), .premises = {{.on = {speed, speeds}, .holds = rotates}}},
-      {.keys = {"material.density"},
+      {.keys = {key(pair.bearing.material.density)},
        .premises = {
            {.on = {speed, speeds, inertia},
             .holds =

@@ -43,6 +43,12 @@ std::vector<mechanics::Conditional<RingOnRollers>> RingOnRollers::conditions() {
   return conditions_of_scratch<RingOnRollers>();
 }
 
+std::vector<std::string> ScratchedBallsInMotion::required() {
+  const ScratchedBallsInMotion m;
+  const bearing::Cage& cage = m.of.bearing.cage;
+  return mechanics::MemberKeys(m).of(cage.inner_diameter, cage.outer_diameter, cage.width, cage.density);
+}
+
 std::vector<mechanics::Conditional<ScratchedBallsInMotion>> ScratchedBallsInMotion::conditions() {
   auto all = conditions_of_scratch<ScratchedBallsInMotion>();
   const ScratchedBallsInMotion m;

@@ -91,10 +91,7 @@ struct ScratchedBallsInMotion {
 
   static std::vector<mechanics::Conditional<ScratchedBallsInMotion>> conditions();
   /// Inputs of the cage, without which balls in cases that state no motion are complete.
-  static std::vector<std::string> required() {
-    return {"bearing.cage.inner_diameter", "bearing.cage.outer_diameter", "bearing.cage.width",
-            "bearing.cage.density"};
-  }
+  static std::vector<std::string> required();
 };
 inline const bearing::balls::MotionParameters& moving_balls(const ScratchedBallsInMotion& in) {
   return in.motion;

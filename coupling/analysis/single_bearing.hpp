@@ -263,7 +263,7 @@ struct BallsInTime {
 
   static std::vector<mechanics::Conditional<BallsInTime>> conditions();
   /// Inputs that would change the motion and cannot be included.
-  static std::vector<std::string> refused() { return {"load.tilt"}; }
+  static std::vector<std::string> refused();
 };
 inline const bearing::balls::MotionParameters& moving_balls(const BallsInTime& in) {
   return in.simulation.motion;

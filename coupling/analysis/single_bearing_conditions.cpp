@@ -277,6 +277,11 @@ std::vector<Conditional<BallsInTime>> conditions_of_heat(const BallsInTime& m, c
 
 }  // namespace
 
+std::vector<std::string> BallsInTime::refused() {
+  const BallsInTime m;
+  return {KeysInTime(m)(m.loaded.load.tilt)};
+}
+
 std::vector<Conditional<BallsInTime>> BallsInTime::conditions() {
   const BallsInTime m;
   const KeysInTime key(m);
