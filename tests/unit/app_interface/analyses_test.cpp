@@ -12,6 +12,7 @@
 #include "orbearing/errors.hpp"
 #include "orbearing/machines.hpp"
 #include "orbearing/sweep.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/app_interface/shipped_case.hpp"
 
 namespace orbearing {
@@ -131,7 +132,7 @@ TEST(Analyses, RefuseOtherMachines) {
   EXPECT_THROW(modes(bearing), BadInput);
   EXPECT_THROW(mesh(bearing), BadInput);
   EXPECT_THROW(crown(bearing), BadInput);
-  EXPECT_THROW(under_load(shipped("reducer_150kW")), BadInput);
+  EXPECT_REFUSED(BadInput, "analyses under load", under_load(parsed("reducer_150kW")));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "app/case/member_values.hpp"
 #include "orbearing/errors.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/app_interface/shipped_case.hpp"
 
 namespace orbearing {
@@ -163,9 +164,9 @@ TEST(MachinesOfCases, ChangeWhatFollowsToo) {
 }
 
 TEST(MachinesOfCases, OfOtherModelsAreRefused) {
-  const Case bearing = shipped("harris_209"), reducer = shipped("reducer_150kW");
-  EXPECT_THROW(drivetrain_of(bearing), BadInput);
-  EXPECT_THROW(changed(reducer, machine_of(bearing)), BadInput);
+  const Case bearing = parsed("harris_209"), reducer = parsed("reducer_150kW");
+  EXPECT_REFUSED(BadInput, "machines model", drivetrain_of(bearing));
+  EXPECT_REFUSED(BadInput, "machines other", changed(reducer, machine_of(bearing)));
 }
 
 // Another structure is chosen by its inputs, unless inputs of the former one are in the case.
@@ -176,17 +177,40 @@ TEST(MachinesOfCases, ChoicesAreMadeOrRefused) {
   const Case free = changed(stated, pair);
   EXPECT_EQ(free.number("housing.mass"), 40.0);
   EXPECT_EQ(free.number("housing.inertia"), 0.5);
-  EXPECT_THROW(changed(free, machine_of(stated)), BadInput);  // a case that is read cannot lose its housing
+  EXPECT_REFUSED(BadInput, "machines housing", changed(free, machine_of(stated)));
+}
+
+// Of the one set of a drivetrain.
+template <class Change>
+void change_set(const Case& stated, const Change& change) {
+  PlanetaryDrivetrain other = drivetrain_of(stated);
+  change(other.sets.front().set);
+  changed(stated, other);
+}
+
+TEST(MachinesOfCases, WhatNoInputStatesIsRefused) {
+  const Case stated = parsed("reducer_150kW", {"life.cleanliness=high"});
+  EXPECT_REFUSED(BadInput, "machines absent",
+                 change_set(stated, [](analysis::StatedSet& set) { set.rating.life.cleanliness.reset(); }));
+  EXPECT_REFUSED(BadInput, "machines profile", change_set(stated, [](analysis::StatedSet& set) {
+                   set.planets.bearing.rollers().profile = bearing::profile::CircularCrown{0.012, 1e-6};
+                 }));
+  EXPECT_REFUSED(BadInput, "machines density",
+                 change_set(stated, [](analysis::StatedSet& set) { set.oil_density = 900.0; }));
+  EXPECT_REFUSED(BadInput, "machines twice", change_set(stated, [](analysis::StatedSet& set) {
+                   set.planets.bearing.material.youngs_modulus = 200e9;
+                   set.gears.material.youngs_modulus = 190e9;
+                 }));
 }
 
 TEST(MachinesOfCases, OtherSetsAndShaftsAreRefused) {
   const Case stated = shipped("reducer_150kW");
   PlanetaryDrivetrain twice = drivetrain_of(stated);
   twice.sets.push_back(twice.sets.front());
-  EXPECT_THROW(changed(stated, twice), BadInput);
+  EXPECT_REFUSED(BadInput, "machines sets", changed(stated, twice));
   PlanetaryDrivetrain with_shaft = drivetrain_of(stated);
   with_shaft.shafts.push_back({.name = "motor", .motor = true});
-  EXPECT_THROW(changed(stated, with_shaft), BadInput);
+  EXPECT_REFUSED(BadInput, "machines shafts", changed(stated, with_shaft));
 }
 
 TEST(MachinesOfCases, EveryMemberOfADrivetrainIsSetOrRefused) {
