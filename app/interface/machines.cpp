@@ -5,6 +5,7 @@
 #include "app/case/drivetrain_reader.hpp"
 #include "app/case/machine_rows.hpp"
 #include "app/case/member_values.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 
 namespace orbearing {
@@ -147,7 +148,12 @@ Case changed(const Case& stated, const Machine& machine) {
   const std::vector<PartValues> own = values_of(before), wanted = values_of(machine);
   Differences found(in);
   for (std::size_t i = 0; i < own.size(); ++i) found.add(own[i], wanted[i]);
-  Case made(in.with(found.settings()));
+  const std::vector<app::Setting> settings = found.settings();
+  Case made(in.with(settings));
+  if (const std::vector<std::string> replaced =
+          app::replaced_inputs(made.content(), described::each(settings, &app::Setting::path));
+      !replaced.empty())
+    throw BadInput(replaced);
   const std::vector<PartValues> now = values_of(machine_of(made));
   for (std::size_t i = 0; i < own.size(); ++i) require_changes(own[i], wanted[i], now[i]);
   return made;

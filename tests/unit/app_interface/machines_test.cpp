@@ -203,6 +203,15 @@ TEST(MachinesOfCases, WhatNoInputStatesIsRefused) {
                  }));
 }
 
+// A viscosity beside a grade would have no effect.
+TEST(MachinesOfCases, ReplacedInputsAreRefused) {
+  const Case stated =
+      parsed("reducer_150kW", {"lubricant.grade=ISO VG 220", "lubricant.temperature=70 degC"});
+  PlanetaryDrivetrain other = drivetrain_of(stated);
+  other.sets.front().set.planets.dynamics.lubricant.viscosity = 0.02;
+  EXPECT_REFUSED(BadInput, "machines replaced", changed(stated, other));
+}
+
 TEST(MachinesOfCases, OtherSetsAndShaftsAreRefused) {
   const Case stated = shipped("reducer_150kW");
   PlanetaryDrivetrain twice = drivetrain_of(stated);
