@@ -7,7 +7,6 @@
 #include <mutex>
 
 #include "app/case/resolved_writer.hpp"
-#include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
@@ -16,10 +15,7 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_study.hpp"
-#include "app/study/drivetrain_case.hpp"
-#include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
-#include "coupling/analysis/drivetrain_warnings.hpp"
 
 namespace orbearing::app {
 
@@ -41,22 +37,13 @@ CrownStudy computed(const CrownRequest& request, const CrownOptions& options) {
   });
 }
 
-// A spectrum uses the speeds of a sweep and no other swept values.
-std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownChoices& choices) {
-  const bool spectrum = choices.spectrum || !choices.shares.empty();
-  return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
-}
-
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownChoices& choices,
                                    const std::vector<std::string>& noted, const CrownStudy& study,
                                    const Record& record) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", choices_json(choices)}};
   object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
-  object["warnings"] =
-      joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
-             overturning_warnings(resolved.without_sweep()),
-             analysis::clearance_warnings(stated_sets(resolved)), require_crown_uses(resolved, choices));
+  object["warnings"] = crown_warnings(resolved, choices, noted, study);
   object["versions"] = versions_json();
   object["units"] = units_of(record);
   return object;
@@ -83,8 +70,6 @@ int execute(const CrownOptions& options) {
   } else {
     CrownStudy study = computed(request, options);
     put_lives_in_run(given, options.choices.of_set, options.jobs, study);
-    const std::string warning = warning_of_recommended(study);
-    if (!warning.empty()) study.warnings.insert(study.warnings.begin(), warning);
     Record record;
     describe(record, study);
     if (options.print.to.record) options.print.to.record(record);

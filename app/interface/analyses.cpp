@@ -84,17 +84,20 @@ Warned<Sweep> sweep(const Case& drivetrain, const SweepChoices& choices) {
 
 analysis::BearingUnderLoad under_load(const Case& bearing) {
   const app::ResolvedCase& in = bearing.content();
-  if (in.model() == app::roller_bearing)
-    return analysis::rollers_under_load(app::machine_of<analysis::RollersUnderLoad>(in));
-  if (in.model() == app::ball_bearing)
-    return analysis::balls_under_load(app::machine_of<analysis::BallsUnderLoad>(in));
-  throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
-                 "; required: roller-bearing, or ball-bearing without a block simulation");
+  if (in.model() != app::roller_bearing && in.model() != app::ball_bearing)
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   "; required: roller-bearing, or ball-bearing without a block simulation");
+  const std::vector<std::string> unused = app::require_used(in, app::analysis_of(in)->used);
+  analysis::BearingUnderLoad found =
+      in.model() == app::roller_bearing
+          ? analysis::rollers_under_load(app::machine_of<analysis::RollersUnderLoad>(in))
+          : analysis::balls_under_load(app::machine_of<analysis::BallsUnderLoad>(in));
+  found.warnings = app::joined(unused, app::rating_warnings(in), found.warnings);
+  return found;
 }
 
 analysis::MeshStudy mesh(const Case& gears) {
-  const app::ResolvedCase in = gears.content().without_sweep();
-  return app::mesh_study(in);
+  return app::mesh_study_with_warnings(gears.content().without_sweep());
 }
 
 Warned<analysis::ModeStudy> modes(const Case& gears) {
@@ -117,15 +120,12 @@ CrownedRoller roller_of(const app::CrownDesign& design) {
 
 Warned<Crowning> crown(const Case& drivetrain, int jobs) {
   const auto [in, noted] = app::crown_case(drivetrain.content(), {});
-  std::vector<std::string> unused = app::require_used(in, app::use::crown, app::Axes::none);
+  app::require_crown_uses(in, {});  // refuses before it computes
   app::CrownStudy study = app::crown_study(app::crown_request(in, {}), jobs, [](std::size_t) {});
   app::put_lives_in_run(drivetrain.content(), "", jobs, study);
-  std::vector<std::string> warnings = app::joined(study.warnings, noted, app::gear_warnings(in), unused);
-  if (const std::string warning = app::warning_of_recommended(study); !warning.empty())
-    warnings.insert(warnings.begin(), warning);
   return {{roller_of(study.recommended.design), roller_of(study.searches.at(study.best).best),
            roller_of(study.straight), roller_of(study.reference)},
-          std::move(warnings)};
+          app::crown_warnings(in, {}, noted, study)};
 }
 
 }  // namespace orbearing

@@ -1,7 +1,11 @@
 #include "app/study/mesh_study.hpp"
 
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/machines.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
+#include "app/study/analysis.hpp"
+#include "app/study/plausibility.hpp"
 #include "coupling/analysis/pair_meshes.hpp"
 
 namespace orbearing::app {
@@ -19,6 +23,15 @@ MeshStudy mesh_study(const ResolvedCase& in) {
   const analysis::StatedDrivetrain stated = stated_drivetrain(in);
   const analysis::StatedSet& set = stated.single();
   return analysis::meshes_of_set(drivetrain_of(set, drive_of(stated)), set.gears, set.geometry);
+}
+
+MeshStudy mesh_study_with_warnings(const ResolvedCase& in) {
+  const MachineAnalysis* of_machine = machine_analysis(in.model(), "mesh");
+  const std::vector<std::string> unused =
+      require_used(in, of_machine != nullptr ? of_machine->used : use::mesh);
+  MeshStudy study = mesh_study(in);
+  study.warnings = joined(study.warnings, judge(observations(in)).warnings, unused);
+  return study;
 }
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in) {

@@ -14,6 +14,7 @@
 #include "coupling/analysis/gear_modes.hpp"
 #include "coupling/analysis/set_meshes.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "mechanics/described.hpp"
 #include "orbearing/case.hpp"
 
 namespace orbearing {
@@ -21,7 +22,7 @@ namespace orbearing {
 using study::Fidelity;
 
 /// One turn a minute, for speeds: 6000 * rpm. [rad/s]
-inline constexpr double rpm = 0.10471975511965977;
+inline constexpr double rpm = described::dimension::kTurn;
 
 /// A result with what `orbearing` warns of.
 template <class Result>

@@ -8,11 +8,16 @@
 
 #include "app/case/input_keys.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/results/sweep_run.hpp"
+#include "app/study/analysis.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/derivatives.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/units.hpp"
+#include "coupling/analysis/drivetrain_warnings.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -151,6 +156,23 @@ std::string warning_of_recommended(const CrownStudy& study) {
   if (status == "ok") return "";
   return fmt::format("recommended: a drop of {:.3g} um {}", per_micro * study.recommended.design.crown.drop,
                      status);
+}
+
+// A spectrum uses the speeds of a sweep and no other swept values.
+std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownChoices& choices) {
+  const bool spectrum = choices.spectrum || !choices.shares.empty();
+  return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
+}
+
+std::vector<std::string> crown_warnings(const ResolvedCase& resolved, const CrownChoices& choices,
+                                        const std::vector<std::string>& noted, const CrownStudy& study) {
+  std::vector<std::string> warnings =
+      joined(study.warnings, noted, gear_warnings(resolved), slope_warnings(resolved),
+             overturning_warnings(resolved.without_sweep()),
+             analysis::clearance_warnings(stated_sets(resolved)), require_crown_uses(resolved, choices));
+  if (const std::string warning = warning_of_recommended(study); !warning.empty())
+    warnings.insert(warnings.begin(), warning);
+  return warnings;
 }
 
 std::string text_in_run(const CrownStudy& study) {

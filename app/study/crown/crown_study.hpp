@@ -97,6 +97,13 @@ std::string status_of_recommended(const CrownStudy& study);
 /// The same as a warning; empty where there is none.
 std::string warning_of_recommended(const CrownStudy& study);
 
+/// Warnings of inputs without effect; throws BadInput for those that a study ought to take and cannot.
+std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownChoices& choices);
+/// All that is warned of: the recommended profile, the study, `noted` of its case (CrownCase), gears and
+/// bearings, and inputs without effect.
+std::vector<std::string> crown_warnings(const ResolvedCase& resolved, const CrownChoices& choices,
+                                        const std::vector<std::string>& noted, const CrownStudy& study);
+
 /// The lives in run for terminals.
 std::string text_in_run(const CrownStudy& study);
 
