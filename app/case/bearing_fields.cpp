@@ -1,6 +1,7 @@
 // Fields of the bearing beyond those of its members: profile, misalignment, races that are not round.
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
@@ -10,9 +11,11 @@ namespace orbearing::app::table {
 
 namespace {
 
-constexpr unsigned of_laminae = use::lives | use::fmu_bearing | use::planet_stiffness;
-constexpr unsigned but_crown = of_laminae & ~unsigned{use::crown};
-constexpr unsigned gears_alone = use::bearings_as_springs | use::mesh;
+using analysis::Physics;
+
+AnalysisSet without_rollers() {
+  return analyses_with(Physics::springs) | AnalysisId::mesh;
+}
 
 Condition where_profile_acts_on_loads() {
   return where_true(
@@ -28,16 +31,21 @@ constexpr const char *kDrop = "bearing.profile.drop", *kDesignLoad = "bearing.pr
 // Without laminae loads of planets are those of whole contacts, and the profile affects lives only by the
 // standards.
 ProfileUses profile_of_planets() {
+  const AnalysisSet of_laminae =
+                        analyses_with_lives() | AnalysisId::fmu_bearing | AnalysisId::planet_stiffness,
+                    but_crown = of_laminae.without(AnalysisId::crown), others = without_rollers();
   const auto with_laminae = [](const Use& use) {
-    return use.limited(app::use::fmu_bearing | app::use::planet_stiffness, {where_given({keys().laminae})});
+    return use.limited(AnalysisId::fmu_bearing | AnalysisId::planet_stiffness,
+                       {where_given({keys().laminae})});
   };
-  const Use of_any(of_laminae, gears_alone);
-  return {.kind = of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
+  const Use of_any(of_laminae, others);
+  return {.kind = of_any.limited(AnalysisId::fmu_bearing | AnalysisId::planet_stiffness,
+                                 {where_profile_acts_on_loads()}),
           .shape = with_laminae(of_any),
-          .depth = with_laminae(Use(but_crown, use::crown | gears_alone)),  // crown varies it
-          .table = with_laminae(Use(but_crown, gears_alone)),
+          .depth = with_laminae(Use(but_crown, AnalysisId::crown | others)),  // crown varies it
+          .table = with_laminae(Use(but_crown, others)),
           .all = of_laminae,
-          .crown = use::crown};
+          .crown = AnalysisId::crown};
 }
 
 }  // namespace
@@ -114,10 +122,9 @@ void add_form(std::vector<Field>& fields, const std::string& block, const std::s
 
 void add_forms(std::vector<Field>& fields) {
   // The mean over one roller pitch assumes identical rollers and races that do not rotate.
-  const Use waviness(use::rollers_in_motion, gears_alone, use::rollers_at_rest);
-  const Use out_of_roundness =
-      Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh)
-          .limited(use::bearings_as_springs, {where_bearings_make_springs()});
+  const Use waviness(analyses_with(Physics::motion), without_rollers(), analyses_with(Physics::equilibrium));
+  const Use out_of_roundness = Use(analyses_with(Physics::balance), AnalysisId::mesh)
+                                   .limited(analyses_with(Physics::springs), {where_bearings_make_springs()});
   for (const auto& [race, whose] : {std::pair{"inner", "pin"}, {"outer", "bore"}}) {
     const std::string block = fmt::format("bearing.{}_race.", race),
                       which = fmt::format("the {}'s race", whose);
@@ -137,9 +144,7 @@ void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& us
 }
 
 void add_bearing_fields(std::vector<Field>& fields) {
-  add_bearing_type(
-      fields, planetary_drivetrain,
-      Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh));
+  add_bearing_type(fields, planetary_drivetrain, Use(analyses_with(Physics::balance), AnalysisId::mesh));
   study::PlanetaryDrivetrain drivetrain = default_drivetrain();
   add_described(fields, drivetrain.bearing, no_model);
   // All of these but the angle of the first roller: the rollers of a planet pass all positions.

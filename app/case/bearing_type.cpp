@@ -39,9 +39,8 @@ bool has_planet_bearing(const ResolvedCase& in, std::string_view set) {
          (in.model() == planetary_drivetrain && in.has(path_in(set, keys().balls)));
 }
 
-bool is_unknown_type(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
-  return input.field->path == keys().bearing_type && in.has(input.path) &&
-         (analysis & knows_every_type) == 0 &&
+bool is_unknown_type(const ResolvedCase& in, const Input& input, AnalysisId analysis) {
+  return input.field->path == keys().bearing_type && in.has(input.path) && !knows_every_type.has(analysis) &&
          type_named(in.choice(input.path)) != PlanetBearingType::cylindrical_roller;
 }
 

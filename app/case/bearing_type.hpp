@@ -22,10 +22,10 @@ bool has_cylindrical_rollers(const ResolvedCase& resolved);
 bool has_planet_bearing(const ResolvedCase& resolved, std::string_view set = "");
 
 /// Analyses that model planet bearings of any type.
-inline constexpr unsigned knows_every_type = use::quasi_static | use::mesh;
+inline constexpr AnalysisSet knows_every_type = AnalysisId::quasi_static | AnalysisId::mesh;
 
 /// Whether `input` is a type of bearing that `analysis` does not model.
-bool is_unknown_type(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+bool is_unknown_type(const ResolvedCase& resolved, const Input& input, AnalysisId analysis);
 
 /// Whether bearings of this type do not have the field: balls have no fields of rollers.
 bool goes_without(std::string_view type, std::string_view path);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
@@ -17,8 +18,8 @@ namespace {
 namespace catalogue = bearing::catalogue;
 
 Use either_of(const Use& one, const Use& other) {
-  const unsigned by = one.by | other.by, refused = (one.refused_by | other.refused_by) & ~by;
-  Use any{by, (one.not_modelled_by | other.not_modelled_by) & ~(by | refused), refused};
+  const AnalysisSet by = one.by | other.by, refused = (one.refused_by | other.refused_by).without(by);
+  Use any{by, (one.not_modelled_by | other.not_modelled_by).without(by | refused), refused};
   any.ways = one.ways;
   any.ways.insert(any.ways.end(), other.ways.begin(), other.ways.end());
   return any;
@@ -26,7 +27,7 @@ Use either_of(const Use& one, const Use& other) {
 
 // Used wherever one of `paths` is.
 Use use_of_any(std::vector<Field>& fields, const std::vector<std::string>& paths) {
-  Use any{0, 0};
+  Use any{{}, {}};
   for (const std::string& path : paths)
     if (const Field* field = table::find_row(fields, path)) any = either_of(any, field->use);
   return any;
@@ -34,19 +35,20 @@ Use use_of_any(std::vector<Field>& fields, const std::vector<std::string>& paths
 
 // Without inner ring the pin differs, without any the planet's bore as well.
 Use use_of_rings(std::vector<Field>& fields) {
-  const Use planet =
-      table::row_of(fields, keys().outside_diameter).use.limited(use::all, {where(keys().rings, {"none"})});
+  const Use planet = table::row_of(fields, keys().outside_diameter)
+                         .use.limited(all_of_drivetrains(), {where(keys().rings, {"none"})});
   return either_of(table::row_of(fields, keys().bore).use, planet);
 }
 
 // Use as that of the number of rollers, which it determines for a catalogue bearing. The frequencies of a
 // scratched bearing are those of its cage.
-Use use_of_complement(std::vector<Field>& fields, unsigned by_designation) {
-  constexpr unsigned moving = use::planet_defect;
+Use use_of_complement(std::vector<Field>& fields, AnalysisSet by_designation) {
+  constexpr AnalysisId moving = AnalysisId::planet_defect;
   const Field* row = table::find_row(fields, keys().rollers);
-  if (row == nullptr) return {0, 0};
+  if (row == nullptr) return {{}, {}};
   Use rollers = row->use;
-  for (unsigned* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by}) *status &= ~moving;
+  for (AnalysisSet* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by})
+    *status = status->without(moving);
   rollers.refused_by |= moving;
   return rollers.used_only(by_designation, {where_given({catalogue_keys::kDesignation})});
 }
@@ -82,11 +84,11 @@ const std::vector<std::string>& paths_of_designation() {
 
 namespace table {
 
-void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned by_complement) {
+void add_catalogue_fields(std::vector<Field>& fields, unsigned models, AnalysisSet by_complement) {
   using namespace catalogue_keys;
   const auto use_of = [&](const std::string& path) {
     const Field* field = find_row(fields, path);
-    return field == nullptr ? Use(0, 0) : field->use;
+    return field == nullptr ? Use({}, {}) : field->use;
   };
   std::vector<std::string> designated = paths_of_designation();
   designated.emplace_back(keys().dynamic_capacity);

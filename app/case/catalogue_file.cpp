@@ -100,7 +100,7 @@ const FamilyColumns* family_named(std::string_view name) {
 
 // All columns as those of a list of rows; one with a unit first, which messages show as an example.
 Field table_field() {
-  Field field{.path = "bearing.catalogue", .kind = Kind::list, .use = Use(0, 0)};
+  Field field{.path = "bearing.catalogue", .kind = Kind::list, .use = Use({}, {})};
   for (const NumberColumn& column : number_columns())
     field.columns.push_back({column.key, column.dimension, column.range});
   for (const char* key : {kDesignationColumn, kFamilyColumn}) field.columns.push_back({key});
@@ -194,7 +194,7 @@ class LineReader {
     }
     const Field field{.path = column.key,
                       .kind = column.dimension.si.empty() ? Kind::number : Kind::quantity,
-                      .use = Use(0, 0),
+                      .use = Use({}, {}),
                       .dimension = column.dimension,
                       .range = column.range};
     const FieldReading reading = read_field(field, *cell);

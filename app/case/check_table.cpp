@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/case/analysis_names.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -116,7 +116,7 @@ std::string si_unit(const Field& field) {
 
 void describe_input(Record& row, const ResolvedCase& resolved, const Input& input) {
   described::Texts used_by, not_modelled_by;
-  for (const use::Analysis analysis : analyses_of(resolved)) {
+  for (const AnalysisId analysis : analyses_of(resolved)) {
     const UseStatus status = use_status_in_row(resolved, input, analysis);
     if (status == UseStatus::used) used_by.push_back(analysis_name(analysis));
     if (status == UseStatus::not_modelled) not_modelled_by.push_back(analysis_name(analysis));
@@ -135,7 +135,7 @@ void describe_input(Record& row, const ResolvedCase& resolved, const Input& inpu
 // Given inputs that are not modelled, for each analysis.
 std::string not_modelled_text(const ResolvedCase& resolved) {
   std::string text;
-  for (const use::Analysis analysis : analyses_of(resolved)) {
+  for (const AnalysisId analysis : analyses_of(resolved)) {
     std::string line;
     for (const Input& input : resolved.inputs())
       if (resolved.has(input.path) && use_status_of(resolved, input, analysis) == UseStatus::not_modelled)

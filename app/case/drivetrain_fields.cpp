@@ -1,6 +1,7 @@
 // Fields of the gear set, of the power that drives it and of its run in time.
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -12,6 +13,8 @@
 namespace orbearing::app::table {
 
 namespace {
+
+using analysis::Physics;
 
 // Torque, or torque over speed, instead of the power, with the same use; and a load spectrum.
 void add_duty(std::vector<Field>& fields) {
@@ -31,7 +34,7 @@ void add_duty(std::vector<Field>& fields) {
                     "load spectrum: duration of each power or torque with its speed. Use share or hours, the "
                     "same for all rows; speed 0 is rest. Optional: file, the record of a row, for damage by "
                     "file",
-                    Use(use::lives, use::all & ~use::lives),
+                    Use(analyses_with_lives(), all_of_drivetrains().without(analyses_with_lives())),
                     {{"power", dimension::power, {0.0, 1e7}, load},
                      {"torque", dimension::torque, {0.0, 1e12}, load},
                      {"speed", dimension::angular_speed, {0.0, 1e6}},
@@ -44,12 +47,13 @@ void add_duty(std::vector<Field>& fields) {
 void add_bodies(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
   const Use bodies =
-      Use(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing)
-          .used_too(use::quasi_static, where_planets_carry_unlike_loads());
-  const Use planet =
-      Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
-          .when(where_absent(keys().rollers))
-          .when(where_absent(keys().balls));
+      Use(analyses_with(Physics::gear_motion) | analyses_with(Physics::vibration) | AnalysisId::mesh,
+          analyses_with(Physics::equilibrium) | AnalysisId::fmu_bearing)
+          .used_too(AnalysisId::quasi_static, where_planets_carry_unlike_loads());
+  const Use planet = Use(analyses_with(Physics::springs) | AnalysisId::mesh,
+                         analyses_with_lives() | AnalysisId::fmu_bearing | AnalysisId::planet_stiffness)
+                         .when(where_absent(keys().rollers))
+                         .when(where_absent(keys().balls));
   rows.number("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
               {0.02, 0.98})
       .by_default("0.5", "a sun on a shaft; affects mesh stiffness and mass of the sun");
@@ -75,7 +79,7 @@ void add_default_shifts(std::vector<Field>& fields) {
 // Values that follow from others and may be stated as a check: no result depends on them.
 void add_checks(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
-  const Use checked(use::of_a_drivetrain, 0);
+  const Use checked(all_of_drivetrains(), {});
   rows.quantity(
       "gearset.centre_distance",
       "check only: working centre distance of a drawing; refused if teeth, module and shifts give a "
@@ -91,14 +95,15 @@ void add_checks(std::vector<Field>& fields) {
 // From a speed up to that of the input, until mesh periods repeat.
 void add_run(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
-  constexpr unsigned without_motion = use::rollers_at_rest | use::mesh | use::fmu_bearing | use::natural;
-  const Use of_run_up(use::gears | use::fmu_gearset, without_motion);
-  const Use of_run(use::gears, without_motion | use::in_time | use::fmu_gearset);
+  const AnalysisSet without_motion = analyses_with(Physics::equilibrium) | AnalysisId::mesh |
+                                     AnalysisId::fmu_bearing | analyses_with(Physics::vibration);
+  const Use of_run_up(AnalysisId::gears | AnalysisId::fmu_gearset, without_motion);
+  const Use of_run(AnalysisId::gears, without_motion | analyses_with(Physics::run) | AnalysisId::fmu_gearset);
   rows.number("gearset.dynamics.run_up.from", "speed at the start as a share of input.speed",
               of_run_up.when(where_given({"gearset.dynamics.run_up.duration"})), positive(10.0))
       .by_default("1", "no run-up");
   rows.quantity("gearset.dynamics.run_up.duration", "time to reach input.speed",
-                of_run_up.used_only(use::fmu_gearset,
+                of_run_up.used_only(AnalysisId::fmu_gearset,
                                     {where_true(gears_run_up, "with a run_up.from other than 1")}),
                 dimension::time, {0.0, 1e4})
       .by_default("0 s", "no run-up");

@@ -52,19 +52,19 @@ void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& us
 /// Uses of the inputs of the rollers' profile.
 struct ProfileUses {
   Use kind, shape, depth, table;
-  unsigned all;        // analyses with a profile
-  unsigned crown = 0;  // that vary its depth
+  AnalysisSet all;      // analyses with a profile
+  AnalysisSet crown{};  // that vary its depth
 };
 void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses);
 
 void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use);
 
 /// `crown`: analyses that optimize the life which a requirement selects.
-void add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, unsigned crown = 0);
+void add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, AnalysisSet crown = {});
 
 /// After those that they put conditions on. `by_complement`: analyses that use the complement of a catalogue
 /// bearing alone.
-void add_catalogue_fields(std::vector<Field>& fields, unsigned models, unsigned by_complement = 0);
+void add_catalogue_fields(std::vector<Field>& fields, unsigned models, AnalysisSet by_complement = {});
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "app/case/described_fields.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_rows.hpp"
@@ -75,7 +76,7 @@ unsigned models_by_table() {
 std::vector<Field> build_table() {
   const unsigned models = models_by_table();
   std::vector<Field> fields;
-  table::add_case_fields(fields, models, Use(use::all, 0));
+  table::add_case_fields(fields, models, Use(all_of_drivetrains(), {}));
   table::add_drivetrain_fields(fields);
   table::add_bearing_fields(fields);
   table::add_static_fields(fields);
@@ -149,7 +150,7 @@ const Field& shaft_field() {
       .path = "shafts",
       .kind = Kind::list,
       .meaning = "parts that rotate together: members as in 'reduction.sun', and motor, load or ground",
-      .use = Use(use::lives | use::planet_stiffness | use::planet_defect, 0),
+      .use = Use(analyses_with_lives() | AnalysisId::planet_stiffness | AnalysisId::planet_defect, {}),
       .models = planetary_drivetrain,
       .element = Kind::text};
   return field;

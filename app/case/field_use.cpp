@@ -29,34 +29,35 @@ Use Use::when(Condition condition) const {
   return more;
 }
 
-Use Use::used_too(unsigned analyses, std::vector<Condition> all) const {
+Use Use::used_too(AnalysisSet analyses, std::vector<Condition> all) const {
   Use more = *this;
-  if (analyses == 0) return more;
+  if (analyses.is_empty()) return more;
   more.ways.push_back({analyses, std::move(all)});
   return more;
 }
 
-Use Use::used_too(unsigned analyses, Condition condition) const {
+Use Use::used_too(AnalysisSet analyses, Condition condition) const {
   return used_too(analyses, std::vector<Condition>{std::move(condition)});
 }
 
-Use Use::used_only(unsigned analyses, std::vector<Condition> all) const {
+Use Use::used_only(AnalysisSet analyses, std::vector<Condition> all) const {
   Use more = used_too(analyses & by, std::move(all));
-  more.by &= ~analyses;
+  more.by = more.by.without(analyses);
   more.not_modelled_by |= by & analyses;
   return more;
 }
 
-Use Use::limited(unsigned analyses, const std::vector<Condition>& either) const {
+Use Use::limited(AnalysisSet analyses, const std::vector<Condition>& either) const {
   Use more = *this;
-  more.by &= ~analyses;
+  more.by = more.by.without(analyses);
   more.not_modelled_by |= by & analyses;
   more.ways.clear();
   std::vector<Way> limited = ways;
-  if ((by & analyses) != 0) limited.push_back({by & analyses, {}});
+  if (by.has_some_of(analyses)) limited.push_back({by & analyses, {}});
   for (const Way& way : limited) {
-    if ((way.by & ~analyses) != 0) more.ways.push_back({way.by & ~analyses, way.conditions});
-    if ((way.by & analyses) == 0) continue;
+    if (const AnalysisSet others = way.by.without(analyses); !others.is_empty())
+      more.ways.push_back({others, way.conditions});
+    if (!way.by.has_some_of(analyses)) continue;
     for (const Condition& condition : either) {
       more.ways.push_back({way.by & analyses, way.conditions});
       more.ways.back().conditions.push_back(condition);

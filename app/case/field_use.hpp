@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/case/analysis_id.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::app {
@@ -25,43 +26,6 @@ inline bool begins_with_one_of(std::string_view path, std::initializer_list<std:
                      [&](std::string_view part) { return path.starts_with(part); });
 }
 
-/// Analyses as bits, so that a row can name several. A new one is a bit here and a name in analysis_names.cpp;
-/// until the rows name it, all that a case gives is warned of.
-namespace use {
-enum Analysis : unsigned {
-  quasi_static = 1u << 0,     // run and sweep of a drivetrain, rung by rung
-  dynamic = 1u << 1,          // of one set
-  dynamic_of_sets = 1u << 2,  // of several: their meshes give mean forces
-  co_simulated = 1u << 3,
-  monolithic = 1u << 4,
-  crown = 1u << 5,
-  gears = 1u << 6,  // run --gears, and run of a set without a bearing
-  modes = 1u << 7,
-  modes_at_speed = 1u << 8,
-  mesh = 1u << 9,
-  fmu_bearing = 1u << 10,
-  fmu_gearset = 1u << 11,
-  planet_stiffness = 1u << 12,
-  planet_defect = 1u << 13,     // run of a drivetrain with a scratched planet bearing
-  carrier = 1u << 14,           // the carrier as a body, over a revolution
-  first_of_machines = 1u << 15  // and those after it: rows of app/case/machine_rows.hpp
-};
-
-/// Analyses that share their physics.
-inline constexpr unsigned one_set_in_time = dynamic | co_simulated | monolithic;
-inline constexpr unsigned in_time = one_set_in_time | dynamic_of_sets;
-inline constexpr unsigned lives = quasi_static | in_time | crown;
-inline constexpr unsigned natural = modes | modes_at_speed;
-inline constexpr unsigned bearings_as_springs = gears | natural | fmu_gearset;
-inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
-inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffness;
-inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
-inline constexpr unsigned of_a_drivetrain =
-    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect | carrier;
-/// All but those of machines, whose uses are beside these (Field::use_in).
-inline constexpr unsigned all = of_a_drivetrain;
-}  // namespace use
-
 /// Condition under which a field has an effect: one of `paths` has one of `values`; without values, it is
 /// given and not zero. An absent field meets no value.
 struct Condition {
@@ -75,7 +39,7 @@ struct Condition {
 
 /// Analyses that use a field where all conditions hold, besides the other uses of its row.
 struct Way {
-  unsigned by = 0;
+  AnalysisSet by{};
   std::vector<Condition> conditions{};
 };
 
@@ -92,21 +56,21 @@ Condition where_bearings_make_springs();
 /// Uses of a field. There is no default: a row without it does not compile. An analysis that is named nowhere
 /// in the row warns of a value that is given and neither the default nor zero.
 struct Use {
-  Use(unsigned used_by, unsigned not_modelled, unsigned refused = 0)
+  Use(AnalysisSet used_by, AnalysisSet not_modelled, AnalysisSet refused = {})
       : by(used_by), not_modelled_by(not_modelled), refused_by(refused) {}
   /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
   /// Makes `analyses` use it where `conditions` hold. Elsewhere, those that do not use it do not model it.
-  Use used_too(unsigned analyses, std::vector<Condition> conditions) const;
-  Use used_too(unsigned analyses, Condition condition) const;
+  Use used_too(AnalysisSet analyses, std::vector<Condition> conditions) const;
+  Use used_too(AnalysisSet analyses, Condition condition) const;
   /// `analyses` use it where `conditions` hold, and only there.
-  Use used_only(unsigned analyses, std::vector<Condition> conditions) const;
+  Use used_only(AnalysisSet analyses, std::vector<Condition> conditions) const;
   /// Wherever `analyses` use it so far, one of `either` has to hold besides.
-  Use limited(unsigned analyses, const std::vector<Condition>& either) const;
+  Use limited(AnalysisSet analyses, const std::vector<Condition>& either) const;
 
-  unsigned by;                          // it changes their results
-  unsigned not_modelled_by;             // it is not modelled there: their results are equal to the last bit
-  unsigned refused_by;                  // they ought to and cannot: exit code 2
+  AnalysisSet by;                       // it changes their results
+  AnalysisSet not_modelled_by;          // it is not modelled there: their results are equal to the last bit
+  AnalysisSet refused_by;               // they ought to and cannot: exit code 2
   std::vector<Condition> conditions{};  // of `by`: all must hold, else the value is warned of
   std::vector<Way> ways{};              // besides
 };

@@ -27,7 +27,7 @@ bool are_same(const std::vector<ConditionalUse>& some, const std::vector<Conditi
 /// Collects the uses of one field by the analyses of its model.
 class UsesOfField {
  public:
-  void add(use::Analysis analysis, const std::vector<ConditionalUse>& uses) {
+  void add(AnalysisId analysis, const std::vector<ConditionalUse>& uses) {
     Conditional found{analysis, {}};
     for (const ConditionalUse& use : uses)
       if (use.beside_row)
@@ -39,8 +39,8 @@ class UsesOfField {
     else
       conditional_.push_back(std::move(found));
   }
-  void add_not_modelled(use::Analysis analysis) { not_modelled_ |= analysis; }
-  void add_refused(use::Analysis analysis) { refused_ |= analysis; }
+  void add_not_modelled(AnalysisId analysis) { not_modelled_ |= analysis; }
+  void add_refused(AnalysisId analysis) { refused_ |= analysis; }
 
   /// `row` has the condition of the field's row.
   Use joined(const Use& row) const {
@@ -56,13 +56,13 @@ class UsesOfField {
 
  private:
   struct Conditional {
-    use::Analysis analysis;
+    AnalysisId analysis;
     std::vector<ConditionalUse> uses;
   };
 
   // Conditions that all analyses have are those of the field.
   bool have_shared_conditions() const {
-    return always_ == 0 && !conditional_.empty() &&
+    return always_.is_empty() && !conditional_.empty() &&
            std::ranges::all_of(conditional_, [&](const Conditional& one) {
              return !one.uses.front().not_modelled && are_same(one.uses, conditional_.front().uses);
            });
@@ -88,14 +88,14 @@ class UsesOfField {
     }
   }
 
-  unsigned always_ = 0, not_modelled_ = 0, refused_ = 0;
+  AnalysisSet always_, not_modelled_, refused_;
   std::vector<Conditional> conditional_;
   std::vector<Way> beside_;
 };
 
 /// Inputs that the analyses of one model take.
 struct UsesOfModel {
-  unsigned all = 0, rated = 0;  // all of them, and those with lives
+  AnalysisSet all, rated;  // all of them, and those with lives
   std::map<std::string, UsesOfField> by_path;
 };
 
@@ -113,7 +113,7 @@ bool contains(const std::vector<std::string>& paths, const std::string& path) {
 
 template <class Row>
 void add_uses(std::size_t number, const std::vector<std::string>& paths, UsesOfModel& uses) {
-  const use::Analysis analysis = use_of_machine_analysis(number);
+  const AnalysisId analysis = id_of_machine_analysis(number);
   const std::vector<std::string> taken = paths_of<InputsOfRow<Row>>(),
                                  refused = refused_of<InputsOfRow<Row>>();
   uses.all |= analysis;
@@ -164,9 +164,10 @@ std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
   const Field* viscosity = table::find_row(fields, keys().viscosity);
   if (viscosity != nullptr && table::find_row(fields, keys().oil_grade) == nullptr)
     add_grade(fields, model, Use(viscosity->use));
-  table::add_case_fields(fields, model, Use(uses.all, 0));
-  table::add_bearing_type(fields, model, Use(uses.all, 0));
-  if (uses.rated != 0) table::add_requirements(fields, model, Use(uses.rated, uses.all & ~uses.rated));
+  table::add_case_fields(fields, model, Use(uses.all, {}));
+  table::add_bearing_type(fields, model, Use(uses.all, {}));
+  if (!uses.rated.is_empty())
+    table::add_requirements(fields, model, Use(uses.rated, uses.all.without(uses.rated)));
   table::add_catalogue_fields(fields, model, uses.all);
   return std::move(of_machine.fields);
 }

@@ -114,14 +114,14 @@ class MachineFields {
 
   void add_once(const described::Facts& facts) {
     if (std::ranges::find(holders, facts.path, &Field::path) == holders.end())
-      holders.push_back({.path = facts.path, .use = Use(0, 0), .models = unsigned{model_}});
+      holders.push_back({.path = facts.path, .use = Use({}, {}), .models = unsigned{model_}});
   }
 
   Field& add(const described::Facts& facts) {
     const described::Details& details = facts.details;
     fields.push_back({.path = facts.path,
                       .meaning = facts.meaning,
-                      .use = Use(0, 0),
+                      .use = Use({}, {}),
                       .models = unsigned{model_},
                       .dimension = details.dimension,
                       .range = details.range,

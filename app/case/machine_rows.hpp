@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/case/field_use.hpp"
+#include "app/case/analysis_id.hpp"
 #include "app/case/model.hpp"
 #include "coupling/analysis/ball_run.hpp"
 #include "coupling/analysis/bearing_stiffness.hpp"
@@ -263,9 +263,9 @@ inline constexpr bool is_rated = requires(const Result& result) {
   result.life_table();
 };
 
-/// The bit of the analysis of that number among those of all.
-constexpr use::Analysis use_of_machine_analysis(std::size_t number) {
-  return static_cast<use::Analysis>(unsigned{use::first_of_machines} << number);
+/// The row of that number among all analyses.
+constexpr AnalysisId id_of_machine_analysis(std::size_t number) {
+  return static_cast<AnalysisId>(static_cast<std::size_t>(AnalysisId::first_of_machines) + number);
 }
 
 }  // namespace orbearing::app

@@ -42,7 +42,7 @@ template <class Row>
 MachineAnalysis values_of(std::size_t number) {
   MachineAnalysis row{.model = Row::model,
                       .command = Row::command,
-                      .used = use_of_machine_analysis(number),
+                      .used = id_of_machine_analysis(number),
                       .other_fidelity = "",
                       .names = Row::names,
                       .scatter = Row::scatter,

@@ -20,7 +20,7 @@ namespace orbearing::app {
 struct MachineAnalysis {
   Model model;
   std::string_view command;
-  use::Analysis used;
+  AnalysisId used;
   bool in_time = false;
   std::string other_fidelity;
   ResultNames names;

@@ -16,7 +16,7 @@ Use use_of_grade(Use use) {
   use.conditions.clear();
   for (Way& way : use.ways)
     std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
-  return use.used_too(use::crown, where_absent("life.viscosity_ratio"));
+  return use.used_too(AnalysisId::crown, where_absent("life.viscosity_ratio"));
 }
 
 }  // namespace

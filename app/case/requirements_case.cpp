@@ -53,7 +53,7 @@ bool requirements_choose_the_life(const ResolvedCase& in, std::string_view) {
 
 }  // namespace
 
-void table::add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, unsigned crown) {
+void table::add_requirements(std::vector<Field>& fields, unsigned models, const Use& use, AnalysisSet crown) {
   for (const RequirementRow& row : kRequirementRows) {
     if ((row.models & models) == 0) continue;
     Rows rows(fields, row.models & models);

@@ -1,7 +1,6 @@
 # Sources of app/case, for the target of the app.
 set(ORBEARING_CASE_SOURCES
   case/alternatives.cpp
-  case/analysis_names.cpp
   case/arrangement_case.cpp
   case/bearing_fields.cpp
   case/catalogue_case.cpp
@@ -20,10 +19,11 @@ set(ORBEARING_CASE_SOURCES
   case/derived_defaults.cpp
   case/drivetrain_reader.cpp
   case/described_fields.cpp
+  case/drivetrain_analyses.cpp
   case/drivetrain_fields.cpp
   case/field.cpp
   case/field_table.cpp
-  case/described_use.cpp
+  case/drivetrain_uses.cpp
   case/field_use.cpp
   case/oil_fields.cpp
   case/input_keys.cpp

@@ -1,5 +1,6 @@
 // Fields of planet bearings besides those of their members: ratings and lives, scratches and their signal.
 #include "app/case/described_fields.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
@@ -24,7 +25,9 @@ std::string laminae_key() {
       [](const auto& rollers) -> const auto& { return rollers.laminae; });
 }
 
-constexpr unsigned rated_runs = use::lives & ~unsigned{use::crown};
+AnalysisSet rated_runs() {
+  return analyses_with_lives().without(AnalysisId::crown);
+}
 
 // With the least number of laminae, which whole contacts have too, both are one formula.
 bool laminae_are_not_the_least(const ResolvedCase& in, std::string_view set) {
@@ -46,21 +49,21 @@ void add_life(std::vector<Field>& fields) {
       where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor),
                    key(life.viscosity_ratio), key(oil.kinematic_viscosity)});
   Rows planets(fields, planetary_drivetrain);
-  const Use by_planets(rated_runs, use::of_a_drivetrain & ~use::lives);
-  const Use by_life(use::lives, use::of_a_drivetrain & ~unsigned{use::lives});
+  const Use by_planets(rated_runs(), all_of_drivetrains().without(analyses_with_lives()));
+  const Use by_life(analyses_with_lives(), all_of_drivetrains().without(analyses_with_lives()));
   // C_0 affects the fatigue load limit alone, which a crown shows in lives with an oil.
-  const Use by_limit =
-      Use(rated_runs, use::of_a_drivetrain & ~rated_runs).used_too(use::crown, oil_is_stated);
+  const Use by_limit = Use(rated_runs(), all_of_drivetrains().without(rated_runs()))
+                           .used_too(AnalysisId::crown, oil_is_stated);
   add(capacities, capacities.dynamic_capacity, by_life);
   add(capacities, capacities.static_capacity, by_limit);
   add(capacities, capacities.fatigue_load_limit, by_limit);
   // Unless kappa is that of the film, which crown does not compute.
   const Use by_stated_kappa = by_life.when(where(key(rating.viscosity_ratio_by), {"speed"}))
-                                  .used_too(use::crown, std::vector<Condition>{});
-  add(life, life.method, by_life.used_too(use::crown, where(key(life.method), {"iso-16281"})));
+                                  .used_too(AnalysisId::crown, std::vector<Condition>{});
+  add(life, life.method, by_life.used_too(AnalysisId::crown, where(key(life.method), {"iso-16281"})));
   add(rating.rollers, rating.rollers.stress_riser,
       by_life.when(where_true(laminae_are_not_the_least, "where " + laminae_key() + " is not 30"))
-          .used_too(use::crown, where_absent(laminae_key())));  // which takes 40 then
+          .used_too(AnalysisId::crown, where_absent(laminae_key())));  // which takes 40 then
   planets.number(
       kMinimumLoadPath,
       "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule "
@@ -76,7 +79,7 @@ void add_life(std::vector<Field>& fields) {
                              key(oil.kinematic_viscosity)})));
   add(life, life.cleanliness, by_life);
   add(rating, rating.viscosity_ratio_by,
-      Use(rated_runs, use::of_a_drivetrain & ~unsigned{use::lives})
+      Use(rated_runs(), all_of_drivetrains().without(analyses_with_lives()))
           .when(where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor)})));
   add(oil, oil.kinematic_viscosity, by_stated_kappa.when(where_absent(key(oil.grade))));
 }
@@ -88,21 +91,22 @@ void add_defects(std::vector<Field>& fields) {
   add_described(fields, study::PlanetSampling{});
   Rows(fields, planetary_drivetrain)
       .text(std::string(kScratchedSet), "set with the scratched bearing, of several sets",
-            Use(use::planet_defect, 0));
+            Use(AnalysisId::planet_defect, {}));
   const analysis::EnvelopeBand band;
-  fields.push_back(field_of_row<analysis::EnvelopeBand>(mechanics::MemberKeys(band)(band.ends),
-                                                        planetary_drivetrain, Use(use::planet_defect, 0)));
+  fields.push_back(field_of_row<analysis::EnvelopeBand>(
+      mechanics::MemberKeys(band)(band.ends), planetary_drivetrain, Use(AnalysisId::planet_defect, {})));
 }
 
 }  // namespace
 
 void add_static_fields(std::vector<Field>& fields) {
-  constexpr unsigned judged_by = use::quasi_static | use::in_time;
+  const AnalysisSet judged_by = AnalysisId::quasi_static | analyses_with(analysis::Physics::run);
   add_described(fields, bearing::equilibrium::RingLoad{}, no_model);
   add_described(fields, bearing::Bearing{.elements = bearing::Balls{}}, no_model);
   add_described(fields, bearing::balls::MotionParameters{}, no_model);
   add_life(fields);
-  add_requirements(fields, planetary_drivetrain, Use(judged_by, use::all & ~judged_by), use::crown);
+  add_requirements(fields, planetary_drivetrain, Use(judged_by, all_of_drivetrains().without(judged_by)),
+                   AnalysisId::crown);
   add_defects(fields);
 }
 

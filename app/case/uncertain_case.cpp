@@ -14,9 +14,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/case/analysis_names.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_quantities.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"
@@ -366,8 +366,8 @@ class UncertainCheck {
   bool is_given_by_another(const std::string& path) const {
     const Input input{path, find_field(path)};
     return in_.assumed().contains(path) && input.field->default_text.empty() &&
-           use_status_in_row(in_, input, use::quasi_static) == UseStatus::used &&
-           !is_used(in_, input, use::quasi_static);
+           use_status_in_row(in_, input, AnalysisId::quasi_static) == UseStatus::used &&
+           !is_used(in_, input, AnalysisId::quasi_static);
   }
 
   bool stands_as_class(const StatedUncertain& stated) {
@@ -564,9 +564,9 @@ std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return warnings;
   for (const StatedUncertain& stated : resolved.uncertain().inputs) {
     const Input input{stated.path, find_field(stated.path)};
-    if (use_status_in_row(resolved, input, use::quasi_static) != UseStatus::used)
+    if (use_status_in_row(resolved, input, AnalysisId::quasi_static) != UseStatus::used)
       warnings.push_back("uncertain." + stated.path + ": not modelled by " +
-                         analysis_name(use::quasi_static) + ", on which lives are sampled");
+                         analysis_name(AnalysisId::quasi_static) + ", on which lives are sampled");
   }
   return warnings;
 }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
-#include "app/case/analysis_names.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_warnings.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/machine_rows.hpp"
@@ -94,11 +94,11 @@ const Condition* first_unmet(const ResolvedCase& in, const Input& input) {
   return nullptr;
 }
 
-const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned analyses);
+const Way* way_that_holds(const ResolvedCase& in, const Input& input, AnalysisSet analyses);
 
 // Whether some analysis uses the value: that of its row, or one of its other ways.
 bool counts_itself(const ResolvedCase& in, const Input& input) {
-  return first_unmet(in, input) == nullptr || way_that_holds(in, input, ~0u) != nullptr;
+  return first_unmet(in, input) == nullptr || way_that_holds(in, input, AnalysisSet::all()) != nullptr;
 }
 
 // The condition holds with another value that has an effect itself.
@@ -112,9 +112,9 @@ bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& c
   });
 }
 
-const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned analyses) {
+const Way* way_that_holds(const ResolvedCase& in, const Input& input, AnalysisSet analyses) {
   for (const Way& way : use_of(in, input).ways)
-    if ((way.by & analyses) != 0 &&
+    if (way.by.has_some_of(analyses) &&
         std::all_of(way.conditions.begin(), way.conditions.end(),
                     [&](const Condition& condition) { return holds_beside(in, input, condition); }))
       return &way;
@@ -163,11 +163,11 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
   });
 }
 
-bool is_used_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+bool is_used_through_another(const ResolvedCase& in, const Input& input, AnalysisId analysis) {
   return std::ranges::any_of(through_others(), [&](const Through& through) {
     if (!through.holds(input.field->path) || !is_chosen(in, input, through)) return false;
     const Input by{beside(input.path, through.choice), find_field(through.choice)};
-    return ((use_of(in, by).by & analysis) != 0 || way_that_holds(in, by, analysis) != nullptr) &&
+    return (use_of(in, by).by.has(analysis) || way_that_holds(in, by, analysis) != nullptr) &&
            (through.also == nullptr || through.also(in, set_of(input.path)));
   });
 }
@@ -201,14 +201,14 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
 
 // Conditions that keep a value from having an effect, and others under which it would have one, by ways that
 // this kind of case has; empty where there are none.
-std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
+std::string idle_text(const ResolvedCase& in, const Input& input, AnalysisSet analyses) {
   std::vector<std::string> texts;
   if (const Condition* unmet = first_unmet(in, input)) texts.push_back(condition_text(in, input, *unmet));
   for (const Way& way : use_of(in, input).ways) {
     const bool known = std::none_of(way.conditions.begin(), way.conditions.end(), [&](const Condition& one) {
       return one.holds == nullptr && is_of_other_models(in, one) && !is_of_row(in, input, one);
     });
-    if ((way.by & analyses) == 0 || !known) continue;
+    if (!way.by.has_some_of(analyses) || !known) continue;
     std::vector<std::string> unmet;
     for (const Condition& condition : way.conditions)
       if (!holds_beside(in, input, condition)) unmet.push_back(condition_text(in, input, condition));
@@ -222,49 +222,52 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
 
 // Whether the analysis moves the bearings of another set: it moves those of the set with the scratched
 // bearing.
-bool moves_another(const ResolvedCase& in, const std::string& set, use::Analysis analysis) {
-  return analysis == use::planet_defect && in.has(kScratchedSet) && set != set_prefix(in.text(kScratchedSet));
+bool moves_another(const ResolvedCase& in, const std::string& set, AnalysisId analysis) {
+  return analysis == AnalysisId::planet_defect && in.has(kScratchedSet) &&
+         set != set_prefix(in.text(kScratchedSet));
 }
 
 // A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets. So
 // does one beside a set with a scratched bearing.
-bool is_behind_ratios(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+bool is_behind_ratios(const ResolvedCase& in, const Input& input, AnalysisId analysis) {
   const std::string set = set_of(input.path);
   if (set.empty() || (has_planet_bearing(in, set) && !moves_another(in, set, analysis))) return false;
   return !input.field->path.starts_with("gearset.teeth.");
 }
 
-// Those that a case of this kind may have, as bits.
-unsigned analyses_that_fit(const ResolvedCase& resolved) {
-  unsigned allowed = 0;
-  const CaseShape& shape = resolved.shape();
+bool takes(const TakenDrivetrains& one, const CaseShape& shape) {
+  if (shape.several) return one.several_sets;
+  if (shape.bearing) return one.single_set;
+  return shape.teeth ? one.without_bearing : one.without_teeth;
+}
+
+AnalysisSet drivetrain_analyses_that_fit(const ResolvedCase& in) {
+  AnalysisSet fit;
+  for (const AnalysisId analysis : drivetrain_analyses())
+    if (takes(drivetrain_analysis(analysis).takes, in.shape())) fit |= analysis;
+  if (!in.shape().defect) fit = fit.without(AnalysisId::planet_defect);
+  return in.has(keys().carrier_bearings) ? fit : fit.without(AnalysisId::carrier);
+}
+
+// Those that a case of this kind may have.
+AnalysisSet analyses_that_fit(const ResolvedCase& in) {
+  AnalysisSet fit;
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
-    if (Row::model == resolved.model()) allowed |= use_of_machine_analysis(number);
+    if (Row::model == in.model()) fit |= id_of_machine_analysis(number);
   });
-  if (resolved.model() == planetary_drivetrain) {
-    if (shape.several)
-      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness |
-                (shape.defect ? unsigned{use::planet_defect} : 0u);
-    else if (shape.bearing)
-      allowed = use::of_a_drivetrain &
-                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect}) |
-                          (resolved.has(keys().carrier_bearings) ? 0u : unsigned{use::carrier})};
-    else
-      allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
-  }
-  return allowed;
+  return in.model() == planetary_drivetrain ? drivetrain_analyses_that_fit(in) : fit;
 }
 
 std::string users_text(const ResolvedCase& in, const Input& input) {
   std::vector<std::string> names;
-  for (const use::Analysis analysis : analyses_of(in))
+  for (const AnalysisId analysis : analyses_of(in))
     if (is_used(in, input, analysis)) names.push_back(analysis_name(analysis));
   if (!names.empty()) return fmt::format("used by {}", fmt::join(names, ", "));
   const std::string idle = idle_text(in, input, analyses_that_fit(in));
   return idle.empty() ? "nothing in a case of this kind uses it" : idle;
 }
 
-std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis, UseStatus status) {
+std::string warning_of(const ResolvedCase& in, const Input& input, AnalysisId analysis, UseStatus status) {
   const std::string found = fmt::format("{}: {}", input.path, in.written(input.path));
   if (status == UseStatus::idle)
     return fmt::format("{} has no effect: {}", found, idle_text(in, input, analysis));
@@ -283,7 +286,7 @@ bool is_varied(const Condition& condition, const std::string& path, const std::v
 }
 
 // Whether the analysis uses the value at some of the points at least.
-bool may_be_used(const ResolvedCase& in, const Input& input, use::Analysis analysis,
+bool may_be_used(const ResolvedCase& in, const Input& input, AnalysisId analysis,
                  const std::vector<std::string>& varied) {
   if (is_used(in, input, analysis)) return true;
   if (is_behind_ratios(in, input, analysis) || is_unknown_type(in, input, analysis)) return false;
@@ -296,7 +299,7 @@ bool may_be_used(const ResolvedCase& in, const Input& input, use::Analysis analy
                           [&](const Condition& one) { return may_hold(one, holds(in, input, one)); }))
     return true;
   return std::ranges::any_of(use.ways, [&](const Way& way) {
-    return (way.by & analysis) != 0 && std::ranges::all_of(way.conditions, [&](const Condition& one) {
+    return way.by.has(analysis) && std::ranges::all_of(way.conditions, [&](const Condition& one) {
              return may_hold(one, holds_beside(in, input, one));
            });
   });
@@ -310,7 +313,7 @@ std::vector<std::string> swept_paths(const ResolvedCase& in) {
 
 // Mistake or warning on an axis: one that the analysis sweeps, or one that an option gives to an analysis
 // without sweep.
-void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis analysis, Axes sweeps,
+void check_axis(const ResolvedCase& in, const SweepAxis& axis, AnalysisId analysis, Axes sweeps,
                 std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) {
   const std::string path = "sweep." + axis.path;
   const Input input{axis.path, find_field(axis.path)};
@@ -339,25 +342,25 @@ std::string required_instead(const Input& input) {
 
 }  // namespace
 
-UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, AnalysisId analysis) {
   const Use& use = use_of(resolved, input);
   if (is_behind_ratios(resolved, input, analysis)) return UseStatus::not_modelled;
   if (is_unknown_type(resolved, input, analysis)) return UseStatus::refused;
-  if ((use.by & analysis) != 0) return UseStatus::used;
+  if (use.by.has(analysis)) return UseStatus::used;
   if (way_that_holds(resolved, input, analysis) != nullptr) return UseStatus::used;
   if (is_used_through_another(resolved, input, analysis)) return UseStatus::used;
-  if ((use.not_modelled_by & analysis) != 0) return UseStatus::not_modelled;
-  return (use.refused_by & analysis) != 0 ? UseStatus::refused : UseStatus::unused;
+  if (use.not_modelled_by.has(analysis)) return UseStatus::not_modelled;
+  return use.refused_by.has(analysis) ? UseStatus::refused : UseStatus::unused;
 }
 
-bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+bool is_used(const ResolvedCase& resolved, const Input& input, AnalysisId analysis) {
   if (is_behind_ratios(resolved, input, analysis) || is_unknown_type(resolved, input, analysis)) return false;
   if (way_that_holds(resolved, input, analysis) != nullptr) return true;
   return use_status_in_row(resolved, input, analysis) == UseStatus::used &&
          first_unmet(resolved, input) == nullptr;
 }
 
-UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, AnalysisId analysis) {
   const bool idle = first_unmet(resolved, input) != nullptr;
   if (is_neutral(resolved, input)) {
     // A value that an option of this command gives is reported to have no effect, whatever it is.
@@ -376,8 +379,8 @@ namespace {
 
 // Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the
 // bearing.
-void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
-  if (in.shape().bearing || in.shape().several || analysis != use::gears) return;
+void require_bearing(const ResolvedCase& in, AnalysisId analysis) {
+  if (in.shape().bearing || in.shape().several || analysis != AnalysisId::gears) return;
   const std::string& stepped = keys().stepped_teeth;
   if (!in.has(stepped)) return;
   throw BadInput(in.file() +
@@ -388,7 +391,7 @@ void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
 
 }  // namespace
 
-std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
+std::vector<std::string> require_used(const ResolvedCase& resolved, AnalysisId analysis, Axes sweeps) {
   require_bearing(resolved, analysis);
   std::vector<Mistake> mistakes;
   std::vector<std::string> warnings = former_key_warnings(resolved);
@@ -428,7 +431,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   return warnings;
 }
 
-std::map<std::string, std::string> varied_without_effect(const ResolvedCase& resolved, use::Analysis analysis,
+std::map<std::string, std::string> varied_without_effect(const ResolvedCase& resolved, AnalysisId analysis,
                                                          const std::vector<std::string>& varied) {
   std::vector<std::string> fields;
   for (const std::string& path : varied) fields.push_back(path.substr(0, path.find('[')));
@@ -455,7 +458,7 @@ std::map<std::string, std::string> varied_without_effect(const ResolvedCase& res
   return messages;
 }
 
-void require_effect(const std::vector<ResolvedCase>& points, use::Analysis analysis,
+void require_effect(const std::vector<ResolvedCase>& points, AnalysisId analysis,
                     const std::vector<std::string>& varied) {
   std::map<std::string, std::string> without;
   for (std::size_t i = 0; i < points.size() && (i == 0 || !without.empty()); ++i) {
@@ -474,17 +477,18 @@ std::vector<std::string> replaced_inputs(const ResolvedCase& resolved,
   for (const std::string& path : paths) {
     if (!resolved.has(path) || !resolved.is_replaced(path)) continue;
     const Input input{path, find_field(path)};
-    messages.push_back(
-        fmt::format("{}: {}: found '{}', which another input replaces: {}; required: one of both",
-                    resolved.file(), path, resolved.written(path), idle_text(resolved, input, ~0u)));
+    messages.push_back(fmt::format(
+        "{}: {}: found '{}', which another input replaces: {}; required: one of both", resolved.file(), path,
+        resolved.written(path), idle_text(resolved, input, AnalysisSet::all())));
   }
   return messages;
 }
 
-use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity) {
-  if (fidelity == "dynamic") return resolved.shape().several ? use::dynamic_of_sets : use::dynamic;
-  if (fidelity == "co-simulated") return use::co_simulated;
-  return fidelity == "monolithic" ? use::monolithic : use::quasi_static;
+AnalysisId rung_of(const ResolvedCase& resolved, const std::string& fidelity) {
+  if (fidelity == "dynamic")
+    return resolved.shape().several ? AnalysisId::dynamic_of_sets : AnalysisId::dynamic;
+  if (fidelity == "co-simulated") return AnalysisId::co_simulated;
+  return fidelity == "monolithic" ? AnalysisId::monolithic : AnalysisId::quasi_static;
 }
 
 std::vector<std::string> former_key_warnings(const ResolvedCase& resolved) {
@@ -501,15 +505,15 @@ std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
   for (const Input& input : resolved.inputs())
     if (resolved.has(input.path) && !is_neutral(resolved, input) && !counts_itself(resolved, input))
       warnings.push_back(fmt::format("{}: {} has no effect: {}", input.path, resolved.written(input.path),
-                                     idle_text(resolved, input, ~0u)));
+                                     idle_text(resolved, input, AnalysisSet::all())));
   return warnings;
 }
 
-std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
-  const unsigned allowed = analyses_that_fit(resolved);
-  std::vector<use::Analysis> found;
-  for (const use::Analysis analysis : analyses())
-    if ((allowed & analysis) != 0) found.push_back(analysis);
+std::vector<AnalysisId> analyses_of(const ResolvedCase& resolved) {
+  const AnalysisSet allowed = analyses_that_fit(resolved);
+  std::vector<AnalysisId> found;
+  for (const AnalysisId analysis : every_analysis())
+    if (allowed.has(analysis)) found.push_back(analysis);
   return found;
 }
 

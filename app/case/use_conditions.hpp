@@ -8,7 +8,7 @@
 namespace orbearing::app {
 
 /// Whether the stiffness of the meshes follows from a parameter, beside those that make the planets
-/// themselves (described_use.cpp).
+/// themselves (drivetrain_uses.cpp).
 bool makes_meshes(std::string_view path);
 
 /// Whether a planet whose tilt is computed tilts: its two ends differ in some input.

@@ -11,7 +11,8 @@ namespace orbearing::app {
 int execute(const CarrierOptions& options) {
   const ResolvedCase resolved = point_of(options.stated);
   require_carrier(resolved);
-  const std::vector<std::string> unused = require_used(resolved, use::carrier);  // refuses before it computes
+  const std::vector<std::string> unused =
+      require_used(resolved, AnalysisId::carrier);  // refuses before it computes
   const Record record = record_of(carrier_study(resolved));
   present_record(resolved, record, joined(unused, gear_warnings(resolved)), options.print);
   return 0;

@@ -153,7 +153,7 @@ int execute(const FmuOptions& options) {
   require_file_name(file);
   const ResolvedCase resolved = point_of(options.stated);
   const std::vector<std::string> unused =
-      require_used(resolved, options.model == "gearset" ? use::fmu_gearset : use::fmu_bearing);
+      require_used(resolved, options.model == "gearset" ? AnalysisId::fmu_gearset : AnalysisId::fmu_bearing);
   const fmu::NumberTable numbers =
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
   require_folder_of(file);

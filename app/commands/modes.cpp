@@ -86,11 +86,11 @@ int execute(const ModesOptions& options) {
         *modes, turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved, options.print);
   const double speed = speed_option(options.speed);
   if (resolved.model() == planetary_drivetrain && stated_drivetrain(resolved).has_pairs())
-    require_used(resolved, use::modes);  // refuses before it computes
+    require_used(resolved, AnalysisId::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options.speed);
   std::vector<std::string> warnings =
       joined(gear_dynamics_warnings(resolved),
-             require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes));
+             require_used(resolved, speed > 0.0 ? AnalysisId::modes_at_speed : AnalysisId::modes));
   if (speed > 0.0 && resolved.has(keys().speed) && resolved.location(keys().speed).option)
     warnings.push_back(fmt::format("{}: {} has no effect with --speed, which replaces it", keys().speed,
                                    resolved.given(keys().speed)));

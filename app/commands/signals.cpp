@@ -128,7 +128,7 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
 }
 
 void require_effect_of(const std::vector<SignalAxis>& axes, const std::vector<SignalVariant>& variants,
-                       const ResolvedCase& resolved, use::Analysis analysis) {
+                       const ResolvedCase& resolved, AnalysisId analysis) {
   std::vector<std::string> paths;
   for (const SignalAxis& axis : axes) paths.push_back(axis.path);
   std::vector<ResolvedCase> points;

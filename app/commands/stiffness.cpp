@@ -21,7 +21,7 @@ namespace {
 
 // Modes of a duplex pair have the same inputs. Models without stiffness are refused by the study.
 std::vector<std::string> unused_by_stiffness(const ResolvedCase& in) {
-  if (in.model() == planetary_drivetrain) return require_used(in, use::planet_stiffness, Axes::all);
+  if (in.model() == planetary_drivetrain) return require_used(in, AnalysisId::planet_stiffness, Axes::all);
   for (const char* command : {"stiffness", "modes"})
     if (const MachineAnalysis* machine = machine_analysis(in.model(), command))
       return require_used(in, machine->used, Axes::all);

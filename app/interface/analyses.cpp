@@ -106,7 +106,7 @@ Warned<analysis::ModeStudy> modes(const Case& gears) {
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
                    "; required: planetary-drivetrain");
   std::vector<std::string> warnings =
-      app::joined(app::gear_dynamics_warnings(in), app::require_used(in, app::use::modes));
+      app::joined(app::gear_dynamics_warnings(in), app::require_used(in, app::AnalysisId::modes));
   return {app::mode_study(app::gear_model_of(in)), std::move(warnings)};
 }
 

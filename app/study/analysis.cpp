@@ -96,7 +96,7 @@ std::vector<Analysis> with_machines(std::vector<Analysis> table) {
 
 const std::vector<Analysis>& all_analyses() {
   static const std::vector<Analysis> table = with_machines(
-      {{.used = use::planet_defect,
+      {{.used = AnalysisId::planet_defect,
         .is_of = is_planet_defect,
         .fidelities = {"monolithic"},
         .required =
@@ -110,7 +110,7 @@ const std::vector<Analysis>& all_analyses() {
         .simulated = time_of_planet_signal,
         .compute = scratched_planet,
         .derived = scratched_set_quantities},
-       {.used = use::gears,
+       {.used = AnalysisId::gears,
         .is_of = runs_gears_alone,
         .fidelities = {},
         .required = "none for a gear set without a bearing, which runs alone",
@@ -141,7 +141,7 @@ const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fid
 }
 
 const Analysis& gears_alone() {
-  return *std::ranges::find(all_analyses(), use::gears, &Analysis::used);
+  return *std::ranges::find(all_analyses(), AnalysisId::gears, &Analysis::used);
 }
 
 }  // namespace orbearing::app

@@ -24,7 +24,7 @@ std::vector<Item> joined(std::vector<Item> first, const More&... more) {
 
 /// One row of the table.
 struct Analysis {
-  use::Analysis used;                  // its name for users, and which inputs it uses
+  AnalysisId used;                     // its name for users, and which inputs it uses
   bool (*is_of)(const ResolvedCase&);  // whether it is what `run` does with the case; null: by `machine`
   Model machine = no_model;
   std::vector<std::string> fidelities;  // that --fidelity may name; the first is what it does without

@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 
 // A run, as what it prints.
 struct Run {
-  use::Analysis analysis;
+  AnalysisId analysis;
   double scatter;
   std::function<Json(const ResolvedCase&)> compute;
 };

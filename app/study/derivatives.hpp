@@ -33,7 +33,7 @@ struct ScalarResult {
 
   std::string quantity;  // its key: "life_h", "displacement/radial_um"; of a life, that of one bearing
   std::string unit;      // of a life, "h" or "Mrev"; else empty: the key ends with it
-  use::Analysis analysis = use::quasi_static;
+  AnalysisId analysis = AnalysisId::quasi_static;
   double scatter = scatter::at_rest;
   /// Throws as the case's own analysis. May be called from several threads.
   std::function<Value(const ResolvedCase&)> compute;

@@ -74,7 +74,7 @@ std::vector<double> start_forces(const system::DrivenGearsSetup& setup) {
 }  // namespace
 
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
-  require_used(in, use::fmu_bearing);
+  require_used(in, AnalysisId::fmu_bearing);
   require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
   system::DrivenBearingSetup setup = bearing_setup(in);
@@ -89,7 +89,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
 }
 
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
-  require_used(in, use::fmu_gearset);
+  require_used(in, AnalysisId::fmu_gearset);
   require_drivable_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
   system::DrivenGearsSetup setup = gears_setup(in);

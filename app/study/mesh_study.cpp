@@ -28,7 +28,7 @@ MeshStudy mesh_study(const ResolvedCase& in) {
 MeshStudy mesh_study_with_warnings(const ResolvedCase& in) {
   const MachineAnalysis* of_machine = machine_analysis(in.model(), "mesh");
   const std::vector<std::string> unused =
-      require_used(in, of_machine != nullptr ? of_machine->used : use::mesh);
+      require_used(in, of_machine != nullptr ? of_machine->used : AnalysisId::mesh);
   MeshStudy study = mesh_study(in);
   study.warnings = joined(study.warnings, judge(observations(in)).warnings, unused);
   return study;

@@ -230,7 +230,7 @@ std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Inp
 
 // Inputs that are left out are no estimates: the meaning of the power and of L10, the governing life,
 // catalogue ratings, and effects that take seconds or are another machine.
-bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+bool is_assumption(const ResolvedCase& in, const Input& input, AnalysisId analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
                     {keys().reliability, keys().life_method, keys().rim, keys().fixed_member,
@@ -249,8 +249,8 @@ std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
   const Lives here = lives_at_rest(in);
   std::vector<std::pair<double, AssumedEffect>> found;
   if (here.empty()) return {};
-  const use::Analysis analysis =
-      in.model() == planetary_drivetrain ? use::quasi_static : machine_analysis(in.model(), "run")->used;
+  const AnalysisId analysis = in.model() == planetary_drivetrain ? AnalysisId::quasi_static
+                                                                 : machine_analysis(in.model(), "run")->used;
   for (const Input& input : in.inputs()) {
     if (!is_assumption(in, input, analysis)) continue;
     std::string text;

@@ -89,11 +89,12 @@ TEST(StudyMountedClearance, IsMadeByTheSeats) {
   for (const char* seat :
        {"bearing.bore=24 mm", "material.youngs_modulus=150 GPa", "material.poisson_ratio=0.25"}) {
     const std::vector<std::string> changed = with(kMounted, seat);
-    for (const use::Analysis analysis : {use::quasi_static, use::crown, use::planet_stiffness})
+    for (const AnalysisId analysis :
+         {AnalysisId::quasi_static, AnalysisId::crown, AnalysisId::planet_stiffness})
       EXPECT_TRUE(require_used(reducer(changed), analysis).empty()) << seat;
     EXPECT_NE(point(reducer(changed)).radial_clearance, point(reducer(kMounted)).radial_clearance) << seat;
   }
-  EXPECT_FALSE(require_used(reducer({"bearing.bore=24 mm"}), use::crown).empty());
+  EXPECT_FALSE(require_used(reducer({"bearing.bore=24 mm"}), AnalysisId::crown).empty());
 }
 
 TEST(StudyMountedClearance, StandsInCheckLineByLine) {

@@ -89,16 +89,17 @@ TEST(RatedOil, ViscositiesOfTheGradeTakeTheirPositionAndThatIsSaid) {
   EXPECT_NE(in.quantity("lubricant.viscosity"), reducer({}).quantity("lubricant.viscosity"));
   EXPECT_NEAR(in.quantity("lubricant.viscosity") / in.quantity("lubricant.kinematic_viscosity"),
               in.quantity("lubricant.density"), 1e-2);
-  const std::vector<std::string> warnings = require_used(in, use::quasi_static);
+  const std::vector<std::string> warnings = require_used(in, AnalysisId::quasi_static);
   EXPECT_THAT(warnings, Contains(HasSubstr("lubricant.viscosity: 0.01 Pa.s has no effect")));
   EXPECT_THAT(warnings, Contains(HasSubstr("lubricant.pressure_viscosity: 1.5e-8 Pa-1 has no effect")));
-  EXPECT_THAT(require_used(reducer({}), use::quasi_static), Not(Contains(HasSubstr("lubricant"))));
-  EXPECT_THAT(require_used(reducer({kWarm}), use::quasi_static),
+  EXPECT_THAT(require_used(reducer({}), AnalysisId::quasi_static), Not(Contains(HasSubstr("lubricant"))));
+  EXPECT_THAT(require_used(reducer({kWarm}), AnalysisId::quasi_static),
               Contains(HasSubstr("lubricant.temperature: 80 degC has no effect")));
 }
 
 TEST(RatedOil, CleanlinessThatIsNotSaidIsReported) {
-  EXPECT_THAT(rating_warnings(reducer({kGrade})), Contains(HasSubstr("'high' (-/15/12 of ISO 4406) is taken")));
+  EXPECT_THAT(rating_warnings(reducer({kGrade})),
+              Contains(HasSubstr("'high' (-/15/12 of ISO 4406) is taken")));
   EXPECT_THAT(rating_warnings(reducer({kGrade, "life.contamination_factor=0.5"})), testing::IsEmpty());
   EXPECT_THAT(rating_warnings(reducer({})), testing::IsEmpty());
 }

@@ -161,7 +161,7 @@ std::string warning_of_recommended(const CrownStudy& study) {
 // A spectrum uses the speeds of a sweep and no other swept values.
 std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownChoices& choices) {
   const bool spectrum = choices.spectrum || !choices.shares.empty();
-  return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
+  return require_used(resolved, AnalysisId::crown, spectrum ? Axes::speed : Axes::none);
 }
 
 std::vector<std::string> crown_warnings(const ResolvedCase& resolved, const CrownChoices& choices,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/analysis_names.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_use.hpp"
 #include "app/case/machines.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -18,13 +18,13 @@
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
-#include "app/study/scratch_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/resonance_lines.hpp"
+#include "app/study/scratch_case.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/fmu/model.hpp"
@@ -63,8 +63,8 @@ inline std::string machine_text(const ResolvedCase& in, const MachineAnalysis& a
 
 /// Analyses of a machine by their commands, as bits.
 template <class... Commands>
-unsigned analyses_of_machine(Model model, const Commands&... commands) {
-  return (unsigned{machine_analysis(model, commands)->used} | ...);
+AnalysisSet analyses_of_machine(Model model, const Commands&... commands) {
+  return (AnalysisSet(machine_analysis(model, commands)->used) | ...);
 }
 
 /// Lives under the spectrum that the case states, and what each bin uses up.
@@ -164,35 +164,35 @@ inline std::string gears_result(const ResolvedCase& in) {
   return record_text(study::run_gears(moving_gears_of(in), gear_run_options(in)));
 }
 
-inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
+inline std::string result_of(const ResolvedCase& in, AnalysisId analysis) {
   switch (analysis) {
-    case use::quasi_static:
+    case AnalysisId::quasi_static:
       return point_result(in, study::Fidelity::quasi_static);
-    case use::dynamic:
-    case use::dynamic_of_sets:
+    case AnalysisId::dynamic:
+    case AnalysisId::dynamic_of_sets:
       return point_result(in, study::Fidelity::dynamic);
-    case use::co_simulated:
+    case AnalysisId::co_simulated:
       return point_result(in, study::Fidelity::co_simulated);
-    case use::monolithic:
+    case AnalysisId::monolithic:
       return point_result(in, study::Fidelity::monolithic);
-    case use::planet_defect:
+    case AnalysisId::planet_defect:
       return record_text(vibration_of_scratched_set(scratched_set_of(in)));
-    case use::crown:
+    case AnalysisId::crown:
       return crown_result(in);
-    case use::gears:
+    case AnalysisId::gears:
       return gears_result(in);
-    case use::modes:
-    case use::modes_at_speed:
-      return modes_result(in, analysis == use::modes_at_speed);
-    case use::mesh:
+    case AnalysisId::modes:
+    case AnalysisId::modes_at_speed:
+      return modes_result(in, analysis == AnalysisId::modes_at_speed);
+    case AnalysisId::mesh:
       return record_text(mesh_study(in));
-    case use::carrier:
+    case AnalysisId::carrier:
       return record_text(carrier_study(in));
-    case use::fmu_bearing:
+    case AnalysisId::fmu_bearing:
       return machine_result(bearing_numbers(in), true);
-    case use::fmu_gearset:
+    case AnalysisId::fmu_gearset:
       return machine_result(gear_numbers(in), false);
-    case use::planet_stiffness:
+    case AnalysisId::planet_stiffness:
       return record_text(stiffness_study(in));
     default:
       break;

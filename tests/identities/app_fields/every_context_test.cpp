@@ -25,7 +25,7 @@ struct Context {
   std::string name;
   std::string base;
   std::vector<std::string> settings;
-  unsigned analyses = 0;
+  AnalysisSet analyses{};
 };
 
 const std::string kDynamics = "gearset.dynamics.";
@@ -33,25 +33,25 @@ const std::string kDynamics = "gearset.dynamics.";
 std::vector<Context> contexts_of_rollers_at_rest() {
   const std::string set = "bearing_in_a_set", laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
   const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
-  constexpr unsigned rest = use::quasi_static;
+  constexpr AnalysisSet rest = AnalysisId::quasi_static;
   return {
       {"film_and_oil",
        set,
        {"film.enabled=true", grade, clean},
-       rest | use::crown | use::gears | use::modes | use::planet_stiffness},
+       rest | AnalysisId::crown | AnalysisId::gears | AnalysisId::modes | AnalysisId::planet_stiffness},
       {"oil_by_its_viscosity",
        set,
        {"life.contamination_factor=0.5", "lubricant.viscosity=0.004 Pa.s"},
-       rest | use::crown},
-      {"kappa_by_film", set, {grade, clean, "life.viscosity_ratio_by=film"}, rest | use::crown},
+       rest | AnalysisId::crown},
+      {"kappa_by_film", set, {grade, clean, "life.viscosity_ratio_by=film"}, rest | AnalysisId::crown},
       {"end_drop",
        set,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
-       rest | use::crown | use::planet_stiffness},
+       rest | AnalysisId::crown | AnalysisId::planet_stiffness},
       {"design_load",
        set,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N"},
-       rest | use::crown},
+       rest | AnalysisId::crown},
       {"design_load_and_drop",
        set,
        {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N", "bearing.profile.drop=5 um"},
@@ -63,16 +63,16 @@ std::vector<Context> contexts_of_rollers_at_rest() {
       {"chamfer_and_tilt",
        set,
        {laminae, kind + "chamfer", "bearing.misalignment.planet_tilt=1 mrad"},
-       rest | use::planet_stiffness},
+       rest | AnalysisId::planet_stiffness},
       {"tilt_of_two_level_bearings",
        set,
        {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed"},
        rest},
-      {"tilt_of_one_level_bearing", set, {laminae, "bearing.tilt_state=computed"}, rest | use::crown},
+      {"tilt_of_one_level_bearing", set, {laminae, "bearing.tilt_state=computed"}, rest | AnalysisId::crown},
       {"tilt_of_pins_held_at_one_end",
        set,
        {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed", "support.pin_ends=one"},
-       rest | use::crown},
+       rest | AnalysisId::crown},
       {"tilt_under_helical_teeth",
        set,
        {laminae, "bearing.tilt_state=computed", "gearset.helix_angle=12 deg"},
@@ -80,36 +80,39 @@ std::vector<Context> contexts_of_rollers_at_rest() {
       {"elastic_rim",
        set,
        {"gearset.planet_rim=elastic"},
-       rest | use::mesh | use::modes | use::planet_stiffness},
+       rest | AnalysisId::mesh | AnalysisId::modes | AnalysisId::planet_stiffness},
       {"helical",
        set,
        {"gearset.helix_angle=12 deg"},
-       rest | use::mesh | use::gears | use::modes | use::fmu_gearset},
+       rest | AnalysisId::mesh | AnalysisId::gears | AnalysisId::modes | AnalysisId::fmu_gearset},
       {"unmounted",
        set,
        {"bearing.clearance_state=unmounted", "bearing.fit.inner_interference=4 um",
         "bearing.fit.outer_interference=20 um"},
-       rest | use::mesh | use::modes},
-      {"rings_outer", set, {"bearing.rings=outer"}, rest | use::modes},
-      {"rings_none", set, {"bearing.rings=none"}, rest | use::modes},
-      {"full_complement", set, {"bearing.complement=full", "bearing.rollers=21"}, rest | use::crown},
-      {"stated_support", set, {"support.stiffness=6e8 N/m"}, rest | use::gears | use::modes},
+       rest | AnalysisId::mesh | AnalysisId::modes},
+      {"rings_outer", set, {"bearing.rings=outer"}, rest | AnalysisId::modes},
+      {"rings_none", set, {"bearing.rings=none"}, rest | AnalysisId::modes},
+      {"full_complement", set, {"bearing.complement=full", "bearing.rollers=21"}, rest | AnalysisId::crown},
+      {"stated_support", set, {"support.stiffness=6e8 N/m"}, rest | AnalysisId::gears | AnalysisId::modes},
       {"stated_bearing_stiffness",
        set,
        {kDynamics + "planet.bearing_stiffness=2.5e8 N/m"},
-       use::gears | use::modes | use::modes_at_speed | use::fmu_gearset},
-      {"held_carrier", set, {"gearset.fixed=carrier"}, rest | use::mesh},
-      {"driven_carrier", set, {"input.member=carrier", "gearset.fixed=sun"}, rest | use::mesh},
-      {"two_contacts_in_one_law", set, {"contact.law=iso16281"}, rest | use::planet_stiffness},
+       AnalysisId::gears | AnalysisId::modes | AnalysisId::modes_at_speed | AnalysisId::fmu_gearset},
+      {"held_carrier", set, {"gearset.fixed=carrier"}, rest | AnalysisId::mesh},
+      {"driven_carrier", set, {"input.member=carrier", "gearset.fixed=sun"}, rest | AnalysisId::mesh},
+      {"two_contacts_in_one_law", set, {"contact.law=iso16281"}, rest | AnalysisId::planet_stiffness},
       {"no_carrier_rotation",
        set,
        {"inertia.carrier_centrifugal=false", "inertia.coriolis=false"},
-       rest | use::modes_at_speed},
+       rest | AnalysisId::modes_at_speed},
       {"spectrum", set, {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}, rest},
-      {"parallel_stage", set, {"parallel_stage.front=[30, 31]"}, rest | use::mesh},
+      {"parallel_stage", set, {"parallel_stage.front=[30, 31]"}, rest | AnalysisId::mesh},
       {"displaced_and_stated_support", "displaced_pins", {"support.stiffness=6e8 N/m"}, rest},
       {"displaced_and_laminae", "displaced_pins", {laminae, kind + "circular"}, rest},
-      {"several_in_oil", "multi_stage", {grade, clean, "film.enabled=true"}, rest | use::planet_stiffness},
+      {"several_in_oil",
+       "multi_stage",
+       {grade, clean, "film.enabled=true"},
+       rest | AnalysisId::planet_stiffness},
       {"several_by_film", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"}, rest},
       {"first_set_tilts",
        "multi_stage",
@@ -119,32 +122,32 @@ std::vector<Context> contexts_of_rollers_at_rest() {
 
 std::vector<Context> contexts_of_teeth() {
   const std::string set = "bearing_in_a_set", loaded = "gearset.tooth_contact=loaded";
-  const unsigned mesh_of_pair = analyses_of_machine(gear_pair, "mesh");
-  return {{"loaded_teeth", set, {loaded}, use::mesh},
+  const AnalysisSet mesh_of_pair = analyses_of_machine(gear_pair, "mesh");
+  return {{"loaded_teeth", set, {loaded}, AnalysisId::mesh},
           {"relieved_teeth",
            set,
            {loaded, "gearset.tip_relief.sun=20 um", "gearset.tip_relief.planet=10 um",
             "gearset.lead_crown.sun=10 um", "gearset.lead_slope.ring=10 um"},
-           use::mesh},
+           AnalysisId::mesh},
           {"helical_pair", "pair_of_gears", {"pair.helix_angle=12 deg"}, mesh_of_pair},
           {"pair_with_web", "pair_of_gears", {"pair.web.thickness=0.3"}, mesh_of_pair},
           {"stated_meshes",
            "gears_alone",
            {kDynamics + "mesh_stiffness.sun=4e8 N/m", kDynamics + "mesh_stiffness.ring=4e8 N/m"},
-           use::modes},
+           AnalysisId::modes},
           {"springs_that_turn",
            "masses_and_springs",
            {kDynamics + "sun.torsional_stiffness=1e7 N/m"},
-           use::natural}};
+           analyses_with(analysis::Physics::vibration)}};
 }
 
 std::vector<Context> contexts_of_single_bearings() {
   const std::string rollers = "roller_bearing", balls = "ball_bearing",
                     rotating = "operation.shaft_speed=9000 rpm";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
-  const unsigned of_rollers = analyses_of_machine(roller_bearing, "run", "stiffness"),
-                 of_balls = analyses_of_machine(ball_bearing, "run", "stiffness"),
-                 of_pair = analyses_of_machine(duplex_pair, "modes", "run");
+  const AnalysisSet of_rollers = analyses_of_machine(roller_bearing, "run", "stiffness"),
+                    of_balls = analyses_of_machine(ball_bearing, "run", "stiffness"),
+                    of_pair = analyses_of_machine(duplex_pair, "modes", "run");
   return {
       {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, of_rollers},
       {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, of_rollers},
@@ -195,59 +198,63 @@ std::vector<Context> contexts_of_single_bearings() {
 std::vector<Context> contexts_in_motion() {
   const std::string set = "bearing_in_a_set", balls = "ball_bearing_in_time";
   const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
-  const unsigned run_of_balls = analyses_of_machine(ball_motion, "run");
-  return {{"limiting_shear", set, {"traction.law=limiting-shear"}, use::dynamic | use::fmu_bearing},
-          {"mixed",
-           set,
-           {"traction.law=limiting-shear", "contact.lubrication=mixed"},
-           use::dynamic | use::monolithic | use::fmu_bearing},
-          {"kappa_by_film_in_motion",
-           set,
-           {grade, clean, "life.viscosity_ratio_by=film"},
-           use::dynamic | use::co_simulated},
-          {"squeezed", set, {"contact.squeeze=true"}, use::dynamic | use::fmu_bearing},
-          {"full_in_motion",
-           set,
-           {"bearing.complement=full", "bearing.rollers=21"},
-           use::dynamic | use::fmu_bearing},
-          {"smooth_pockets",
-           set,
-           {"bearing.cage.pocket_friction=0", "traction.law=limiting-shear"},
-           use::dynamic},
-          {"dry_air", set, {"drag.enabled=false"}, use::dynamic | use::fmu_bearing},
-          {"run_up", set, {"input.acceleration=1000 rpm/s", "simulation.run_up_time=0.003 s"}, use::dynamic},
-          {"gears_run_up",
-           set,
-           {kDynamics + "run_up.from=0.5", kDynamics + "run_up.duration=0.01 s"},
-           use::gears | use::fmu_gearset},
-          {"tilt_in_motion",
-           set,
-           {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"},
-           use::dynamic},
-          {"several_by_film_in_motion",
-           "multi_stage",
-           {grade, clean, "life.viscosity_ratio_by=film"},
-           use::dynamic_of_sets},
-          {"balls_eyring", balls, {"traction.law=ree-eyring"}, run_of_balls},
-          {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, run_of_balls},
-          {"balls_heated", balls, {"heat.enabled=true", "lubricant.flow=0.1 L/min"}, run_of_balls},
-          {"balls_in_warm_oil",
-           balls,
-           {"heat.enabled=true", "heat.model=oil", "lubricant.flow=0.1 L/min", "lubricant.fill=parker",
-            "traction.inlet_heating=goksem-hargreaves", "traction.ball_rolling_law=reynolds"},
-           run_of_balls},
-          {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, run_of_balls},
-          {"balls_without_drag", balls, {"drag.enabled=false"}, run_of_balls},
-          {"balls_squeezing",
-           balls,
-           {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
-           run_of_balls}};
+  const AnalysisSet run_of_balls = analyses_of_machine(ball_motion, "run");
+  return {
+      {"limiting_shear", set, {"traction.law=limiting-shear"}, AnalysisId::dynamic | AnalysisId::fmu_bearing},
+      {"mixed",
+       set,
+       {"traction.law=limiting-shear", "contact.lubrication=mixed"},
+       AnalysisId::dynamic | AnalysisId::monolithic | AnalysisId::fmu_bearing},
+      {"kappa_by_film_in_motion",
+       set,
+       {grade, clean, "life.viscosity_ratio_by=film"},
+       AnalysisId::dynamic | AnalysisId::co_simulated},
+      {"squeezed", set, {"contact.squeeze=true"}, AnalysisId::dynamic | AnalysisId::fmu_bearing},
+      {"full_in_motion",
+       set,
+       {"bearing.complement=full", "bearing.rollers=21"},
+       AnalysisId::dynamic | AnalysisId::fmu_bearing},
+      {"smooth_pockets",
+       set,
+       {"bearing.cage.pocket_friction=0", "traction.law=limiting-shear"},
+       AnalysisId::dynamic},
+      {"dry_air", set, {"drag.enabled=false"}, AnalysisId::dynamic | AnalysisId::fmu_bearing},
+      {"run_up",
+       set,
+       {"input.acceleration=1000 rpm/s", "simulation.run_up_time=0.003 s"},
+       AnalysisId::dynamic},
+      {"gears_run_up",
+       set,
+       {kDynamics + "run_up.from=0.5", kDynamics + "run_up.duration=0.01 s"},
+       AnalysisId::gears | AnalysisId::fmu_gearset},
+      {"tilt_in_motion",
+       set,
+       {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"},
+       AnalysisId::dynamic},
+      {"several_by_film_in_motion",
+       "multi_stage",
+       {grade, clean, "life.viscosity_ratio_by=film"},
+       AnalysisId::dynamic_of_sets},
+      {"balls_eyring", balls, {"traction.law=ree-eyring"}, run_of_balls},
+      {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, run_of_balls},
+      {"balls_heated", balls, {"heat.enabled=true", "lubricant.flow=0.1 L/min"}, run_of_balls},
+      {"balls_in_warm_oil",
+       balls,
+       {"heat.enabled=true", "heat.model=oil", "lubricant.flow=0.1 L/min", "lubricant.fill=parker",
+        "traction.inlet_heating=goksem-hargreaves", "traction.ball_rolling_law=reynolds"},
+       run_of_balls},
+      {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, run_of_balls},
+      {"balls_without_drag", balls, {"drag.enabled=false"}, run_of_balls},
+      {"balls_squeezing",
+       balls,
+       {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
+       run_of_balls}};
 }
 
 struct Subject {
   Context context;
   const Base* base = nullptr;
-  use::Analysis analysis = use::quasi_static;
+  AnalysisId analysis = AnalysisId::quasi_static;
 };
 
 // tools/test --full runs all of them, apart from the other tests.
@@ -263,8 +270,8 @@ std::vector<Subject> subjects() {
        {contexts_of_rollers_at_rest(), contexts_of_teeth(), contexts_of_single_bearings(), motion})
     for (const Context& context : contexts)
       for (const Base& base : bases())
-        for (const use::Analysis analysis : analyses())
-          if (base.name == context.base && (context.analyses & analysis) != 0)
+        for (const AnalysisId analysis : every_analysis())
+          if (base.name == context.base && context.analyses.has(analysis))
             all.push_back({context, &base, analysis});
   return all;
 }
@@ -303,12 +310,12 @@ bool is_label(const Field& field) {
 // In motion a field takes a quarter of a second, and loaded teeth take half: each day some of them.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
-  const unsigned motions =
-      use::in_time | use::fmu_bearing | use::fmu_gearset | use::gears | run_of_scratches(false);
-  const unsigned slow =
+  const AnalysisSet motions = analyses_with(analysis::Physics::run) | AnalysisId::fmu_bearing |
+                              AnalysisId::fmu_gearset | AnalysisId::gears | run_of_scratches(false);
+  const AnalysisSet slow =
       motions | analyses_of_machine(ball_motion, "run") | analyses_of_machine(duplex_pair, "run");
   const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
-  if ((subject.analysis & slow) != 0) return true;
+  if (slow.has(subject.analysis)) return true;
   const auto hash = std::hash<std::string>{}(subject.context.name);
   return (part + hash) % 8 != 0;
 }
@@ -337,7 +344,7 @@ class EveryContext : public testing::TestWithParam<Subject> {
 };
 
 TEST_P(EveryContext, TellsWhatIsUsed) {
-  const use::Analysis analysis = GetParam().analysis;
+  const AnalysisId analysis = GetParam().analysis;
   const ResolvedCase plain = in({});
   std::string before;
   int used = 0, without = 0, refused = 0;

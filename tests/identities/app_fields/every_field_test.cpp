@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 struct Subject {
   const Base* base = nullptr;
-  use::Analysis analysis = use::quasi_static;
+  AnalysisId analysis = AnalysisId::quasi_static;
 };
 
 ResolvedCase case_of(const Base& base, const std::vector<std::string>& settings) {
@@ -33,8 +33,8 @@ ResolvedCase case_of(const Base& base, const std::vector<std::string>& settings)
 std::vector<Subject> subjects() {
   std::vector<Subject> all;
   for (const Base& base : bases())
-    for (const use::Analysis analysis : analyses_of(case_of(base, {})))
-      if ((analysis & base.but) == 0) all.push_back({&base, analysis});
+    for (const AnalysisId analysis : analyses_of(case_of(base, {})))
+      if (!base.but.has(analysis)) all.push_back({&base, analysis});
   return all;
 }
 
@@ -82,7 +82,7 @@ class EveryField : public testing::TestWithParam<Subject> {
       const std::string path = setting.substr(0, setting.find('='));
       if ((find_field(path)->models & in({}).model()) == 0) continue;
       const bool run_up = path.find("run_up") != std::string::npos || path == "input.acceleration";
-      if (run_up && (use_of(*find_field(path)).by & GetParam().analysis) == 0) continue;
+      if (run_up && !use_of(*find_field(path)).by.has(GetParam().analysis)) continue;
       settings.push_back(in_set(setting));
     }
     return settings;
@@ -156,41 +156,42 @@ class EveryField : public testing::TestWithParam<Subject> {
 // a quarter for each; all of them for each with ORBEARING_FULL=yes.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
-  const use::Analysis analysis = subject.analysis;
+  const AnalysisId analysis = subject.analysis;
   const auto location = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
   const auto unless = [&](std::size_t part, std::size_t parts) { return location % parts != part; };
-  const unsigned run_of_balls = analyses_of_machine(ball_motion, "run");
+  const AnalysisSet run_of_balls = analyses_of_machine(ball_motion, "run");
   switch (analysis) {
-    case use::gears:
-    case use::fmu_bearing:
+    case AnalysisId::gears:
+    case AnalysisId::fmu_bearing:
       return unless(0, 3);
-    case use::modes_at_speed:
+    case AnalysisId::modes_at_speed:
       return unless(1, 3);
-    case use::fmu_gearset:
+    case AnalysisId::fmu_gearset:
       return unless(2, 3);
-    case use::dynamic:
+    case AnalysisId::dynamic:
       return unless(0, 24);
-    case use::dynamic_of_sets:
+    case AnalysisId::dynamic_of_sets:
       return unless(2, 12);
-    case use::co_simulated:
+    case AnalysisId::co_simulated:
       return unless(4, 12);
-    case use::monolithic:
+    case AnalysisId::monolithic:
       if (subject.base->name == "displaced_pins") return !field.path.starts_with("gearset.") || unless(6, 12);
       return unless(8, 12);
-    case use::planet_defect:  // what moves as by monolithic shares that part
-      return (field.use.by & use::monolithic) != 0 && unless(10, 12);
-    case use::crown:
-    case use::planet_stiffness:
+    case AnalysisId::planet_defect:  // what moves as by monolithic shares that part
+      return field.use.by.has(AnalysisId::monolithic) && unless(10, 12);
+    case AnalysisId::crown:
+    case AnalysisId::planet_stiffness:
       return subject.base->name == "multi_stage" && unless(5, 6);
     default:
       break;
   }
-  if (analysis == run_of_scratches(true)) {  // balls roll as in a ball's run, and scratches act as without mass
-    const bool elsewhere = (field.use_in(raceway_defect).by & run_of_scratches(false)) != 0 ||
-                           (field.use_in(ball_motion).by & run_of_balls) != 0;
+  if (analysis ==
+      run_of_scratches(true)) {  // balls roll as in a ball's run, and scratches act as without mass
+    const bool elsewhere = field.use_in(raceway_defect).by.has(run_of_scratches(false)) ||
+                           field.use_in(ball_motion).by.has_some_of(run_of_balls);
     return elsewhere && unless(1, 6);
   }
-  return analysis == run_of_balls && unless(4, 6);
+  return run_of_balls.has(analysis) && unless(4, 6);
 }
 
 struct Count {
@@ -235,7 +236,7 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
     if (is_label(*input.field)) continue;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
     Change change = change_of(*input.field, plain, input.path);
-    if (GetParam().analysis == use::fmu_bearing)  // heats no inlet of the film
+    if (GetParam().analysis == AnalysisId::fmu_bearing)  // heats no inlet of the film
       std::erase(change.beside, "film.inlet_heating=gupta");
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
     // Fields of rollers alone are absent for balls; the cases with rollers change them.
@@ -263,7 +264,7 @@ TEST_P(EveryField, WithoutItsConditionIsReported) {
     const std::vector<Condition>& conditions = use.conditions;
     if (std::all_of(conditions.begin(), conditions.end(), [](const Condition& c) { return c.absent; }))
       continue;
-    if ((use.by & GetParam().analysis) == 0) continue;
+    if (!use.by.has(GetParam().analysis)) continue;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
     const Change change = change_of(*input.field, plain, input.path);
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
@@ -284,7 +285,7 @@ TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
   const auto result = [&](const std::string& setting) {
     std::vector<std::string> settings = pairs;
     if (!setting.empty()) settings.push_back("gearset.second_planet." + setting);
-    return result_of(case_of(base, settings), use::quasi_static);
+    return result_of(case_of(base, settings), AnalysisId::quasi_static);
   };
   const std::string plain = result("");
   for (const char* setting : {"teeth=25", "first_profile_shift=0.1", "profile_shift=0.1", "side=behind"})
@@ -292,13 +293,14 @@ TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
 }
 
 void expect_disjoint(const Use& use) {
-  EXPECT_EQ(use.by & use.not_modelled_by, 0u);
-  EXPECT_EQ(use.by & use.refused_by, 0u);
-  EXPECT_EQ(use.not_modelled_by & use.refused_by, 0u);
+  EXPECT_FALSE(use.by.has_some_of(use.not_modelled_by));
+  EXPECT_FALSE(use.by.has_some_of(use.refused_by));
+  EXPECT_FALSE(use.not_modelled_by.has_some_of(use.refused_by));
 }
 
 bool is_used_by_any(const Use& use) {
-  return use.by != 0u || std::ranges::any_of(use.ways, [](const Way& way) { return way.by != 0u; });
+  return !use.by.is_empty() ||
+         std::ranges::any_of(use.ways, [](const Way& way) { return !way.by.is_empty(); });
 }
 
 // A row states one status for each analysis.
@@ -318,7 +320,7 @@ TEST(FieldUse, AnalysesOfARowAreDisjoint) {
 
 // An analysis that no row names yet: everything that the case gives is warned of.
 TEST(FieldUse, ANewAnalysisCannotForgetAField) {
-  const auto unheard_of = static_cast<use::Analysis>(1u << 30);
+  const auto unheard_of = static_cast<AnalysisId>(60);
   const ResolvedCase in = case_of(bases().front(), {"contact.damping=0.2 s/m"});
   const std::vector<std::string> warnings = require_used(in, unheard_of);
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("contact.damping")));
@@ -327,14 +329,14 @@ TEST(FieldUse, ANewAnalysisCannotForgetAField) {
 
 // A value that is not modelled causes no warning where the file gives it: one case serves all fidelities.
 TEST(FieldUse, AFileIsNotWarnedOfWhatIsNotModelled) {
-  EXPECT_TRUE(require_used(case_of(bases().front(), {}), use::quasi_static).empty());
+  EXPECT_TRUE(require_used(case_of(bases().front(), {}), AnalysisId::quasi_static).empty());
   for (const char* name :
        {"reducer_150kW", "coupling_set_150kW", "three_sets_150kW", "lin_parker_1999", "mesh_62_62",
         "planet_bearing_iso16281", "harris_209", "ball_6305_iso16281", "deep_groove_acceleration",
         "deep_groove_motor", "nasa_35mm", "scratch_defect", "scratched_rollers", "jones_218", "duplex_7020",
         "spin_film_guo2013", "spin_bearing_7210"}) {
     const ResolvedCase in = read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml");
-    for (const use::Analysis analysis : analyses_of(in))
+    for (const AnalysisId analysis : analyses_of(in))
       EXPECT_THAT(require_used(in, analysis), testing::IsEmpty()) << name << ", " << analysis_name(analysis);
   }
 }
@@ -349,16 +351,16 @@ TEST(FieldUse, PinsThatDoNotCountMakeNothingFelt) {
   const std::string block = "gearset.dynamics.", pins = "pin_error.tangential=[4 um, 0 um]";
   const std::string mass = "sun.mass=1.3 kg";
   const ResolvedCase one = case_of(base_named("bearing_in_a_set"), {block + pins, block + mass});
-  EXPECT_THAT(require_used(one, use::quasi_static), testing::IsEmpty());
+  EXPECT_THAT(require_used(one, AnalysisId::quasi_static), testing::IsEmpty());
   const std::string set = "sets.first." + block;
   const ResolvedCase several = case_of(base_named("multi_stage"), {set + pins, set + mass});
-  EXPECT_THAT(require_used(several, use::quasi_static), testing::IsEmpty());
+  EXPECT_THAT(require_used(several, AnalysisId::quasi_static), testing::IsEmpty());
   const std::string other = "sets.second." + block;
   const ResolvedCase even = case_of(base_named("multi_stage"), {set + pins, other + mass});
-  EXPECT_THAT(require_used(even, use::quasi_static), testing::Contains(HasSubstr(other + "sun.mass")));
+  EXPECT_THAT(require_used(even, AnalysisId::quasi_static), testing::Contains(HasSubstr(other + "sun.mass")));
 }
 
-std::string refusal_of(const Base& base, const std::vector<std::string>& settings, use::Analysis analysis,
+std::string refusal_of(const Base& base, const std::vector<std::string>& settings, AnalysisId analysis,
                        Axes axes) {
   try {
     require_used(case_of(base, settings), analysis, axes);
@@ -370,28 +372,30 @@ std::string refusal_of(const Base& base, const std::vector<std::string>& setting
 
 TEST(FieldUse, ASweepOfWhatIsNotUsedIsRefused) {
   const std::vector<std::string> pocket{"sweep.bearing.cage.pocket_friction=[0.05, 0.1]"};
-  EXPECT_THAT(refusal_of(bases().front(), pocket, use::quasi_static, Axes::all),
+  EXPECT_THAT(refusal_of(bases().front(), pocket, AnalysisId::quasi_static, Axes::all),
               HasSubstr("sweep.bearing.cage.pocket_friction"));
-  EXPECT_EQ(refusal_of(bases().front(), pocket, use::dynamic, Axes::all), "");
+  EXPECT_EQ(refusal_of(bases().front(), pocket, AnalysisId::dynamic, Axes::all), "");
 }
 
 TEST(FieldUse, ASweepOfWhatHasNoEffectHereIsRefused) {
   const std::string axis = "sweep.lubricant.viscosity=[0.01 Pa.s, 0.02 Pa.s]";
-  EXPECT_EQ(refusal_of(bases().front(), {axis}, use::quasi_static, Axes::all), "");
-  EXPECT_THAT(refusal_of(bases().front(), {axis, "lubricant.grade=ISO VG 220"}, use::quasi_static, Axes::all),
-              HasSubstr("it counts only where lubricant.grade is not given"));
+  EXPECT_EQ(refusal_of(bases().front(), {axis}, AnalysisId::quasi_static, Axes::all), "");
+  EXPECT_THAT(
+      refusal_of(bases().front(), {axis, "lubricant.grade=ISO VG 220"}, AnalysisId::quasi_static, Axes::all),
+      HasSubstr("it counts only where lubricant.grade is not given"));
   // The input of its condition may be swept too: then it has an effect at some of the points.
   const std::vector<std::string> both{"sweep.gearset.dynamics.run_up.from=[0.2, 0.4]",
                                       "sweep.gearset.dynamics.run_up.duration=[0 s, 1 s]"};
-  EXPECT_THAT(refusal_of(bases().front(), both, use::gears, Axes::all), Not(HasSubstr("has no effect")));
+  EXPECT_THAT(refusal_of(bases().front(), both, AnalysisId::gears, Axes::all),
+              Not(HasSubstr("has no effect")));
 }
 
 TEST(FieldUse, ASpectrumOfCrownTakesSpeedsAlone) {
   const std::string speeds = "sweep.input.speed=[1000 rpm, 2000 rpm]";
-  EXPECT_EQ(refusal_of(bases().front(), {speeds}, use::crown, Axes::speed), "");
-  EXPECT_THAT(
-      refusal_of(bases().front(), {speeds, "sweep.input.power=[20 kW, 30 kW]"}, use::crown, Axes::speed),
-      HasSubstr("sweep.input.power"));
+  EXPECT_EQ(refusal_of(bases().front(), {speeds}, AnalysisId::crown, Axes::speed), "");
+  EXPECT_THAT(refusal_of(bases().front(), {speeds, "sweep.input.power=[20 kW, 30 kW]"}, AnalysisId::crown,
+                         Axes::speed),
+              HasSubstr("sweep.input.power"));
 }
 
 TEST(FieldUse, ASingleBearingHasNoSweep) {

@@ -328,7 +328,7 @@ void check_sets(const Values& values) {
 
 std::string vibration(const Values& values) {
   const ResolvedCase in = resolved(values);
-  require_used(in, use::planet_defect);
+  require_used(in, AnalysisId::planet_defect);
   return json_of(record_of(vibration_of_scratched_set(scratched_set_of(in)))).dump();
 }
 
@@ -378,7 +378,7 @@ std::string refusal_of(const Features& features) {
     Values values = values_of(features);
     if (features.contains(several) && features.contains(defect)) values["defect.set"] = "first";
     const ResolvedCase in = resolved(values, features.contains(several));
-    require_used(in, features.contains(defect) ? use::planet_defect : use::quasi_static);
+    require_used(in, features.contains(defect) ? AnalysisId::planet_defect : AnalysisId::quasi_static);
     return "";
   } catch (const BadInput& error) {
     return error.what();

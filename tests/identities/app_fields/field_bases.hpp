@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/case/case_file.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/machines.hpp"
 
@@ -233,7 +234,7 @@ struct Base {
   std::string name;
   std::string text;
   std::string set{};               // of several sets, the one whose fields are changed
-  unsigned but{};                  // analyses that are left out
+  AnalysisSet but{};               // analyses that are left out
   bool reader_may_refuse = false;  // other values, which do not fit its bearings
 };
 
@@ -244,7 +245,7 @@ inline std::string rollers_case() {
 }
 
 /// Run of a scratched ball bearing: of the ring alone, or of all that moves.
-inline use::Analysis run_of_scratches(bool in_time) {
+inline AnalysisId run_of_scratches(bool in_time) {
   return std::ranges::find_if(machine_analyses(),
                               [&](const MachineAnalysis& one) {
                                 return one.model == raceway_defect && one.in_time == in_time;
@@ -259,8 +260,8 @@ inline const std::vector<Base>& bases() {
       // single bearing do not depend on them, gears alone are tested in the case before, and the other
       // fidelities in motion have the same fields and take much longer.
       {"displaced_pins", displaced_pins(), "",
-       use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing | use::gears |
-           use::fmu_gearset},
+       AnalysisId::dynamic | AnalysisId::co_simulated | analyses_with(analysis::Physics::vibration) |
+           AnalysisId::mesh | AnalysisId::fmu_bearing | AnalysisId::gears | AnalysisId::fmu_gearset},
       {"gears_alone", kDrivetrain + kGears},
       {"masses_and_springs", kToothless},
       {"multi_stage", multi_stage(), "first"},
@@ -272,18 +273,18 @@ inline const std::vector<Base>& bases() {
       {"raceway_defect_in_motion", kScratchInMotion, "", run_of_scratches(false)},
       {"scratched_rollers", kScratchedRollers},
       {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
-       use::all & ~unsigned{use::planet_defect}},
+       all_of_drivetrains().without(AnalysisId::planet_defect)},
       {"duplex_pair", kDuplex},
       {"spin_film", kSpinFilm},
       // Other bearings of planets, by what is computed of them alone.
-      {"planets_on_balls", kDrivetrain + kGears + kPlanetBalls, "", use::all & ~unsigned{use::quasi_static},
-       true},
+      {"planets_on_balls", kDrivetrain + kGears + kPlanetBalls, "",
+       all_of_drivetrains().without(AnalysisId::quasi_static), true},
       {"planets_on_tapered_rollers", kDrivetrain + kGears + planet_tapered(), "",
-       use::all & ~unsigned{use::quasi_static}, true},
+       all_of_drivetrains().without(AnalysisId::quasi_static), true},
       {"planets_on_spherical_rollers", kDrivetrain + kGears + kPlanetSpherical, "",
-       use::all & ~unsigned{use::quasi_static}, true},
+       all_of_drivetrains().without(AnalysisId::quasi_static), true},
       {"planets_without_cage", kDrivetrain + kGears + planet_without_cage() + kShortRun, "",
-       use::all & ~unsigned{use::dynamic}, true}};
+       all_of_drivetrains().without(AnalysisId::dynamic), true}};
   return all;
 }
 

@@ -156,8 +156,11 @@ TEST(FieldTable, PathsAreUniqueAndNoPathIsABlock) {
 }
 
 TEST(Field, ReadsLists) {
-  const Field teeth{
-      .path = "teeth", .kind = Kind::list, .use = {use::all, 0}, .range = {5, 100}, .element = Kind::integer};
+  const Field teeth{.path = "teeth",
+                    .kind = Kind::list,
+                    .use = {AnalysisSet::all(), {}},
+                    .range = {5, 100},
+                    .element = Kind::integer};
   const FieldReading reading = read_field(teeth, read_yaml("[20, 30]"));
   ASSERT_TRUE(reading.good);
   EXPECT_THAT(reading.value.list, ElementsAre(20, 30));

@@ -324,10 +324,10 @@ TEST(FullComplement, HasAsManyRollersAsGoInAndNoCage) {
   EXPECT_EQ(bearing_sets(in).front().geometry.bearing.cage_mass, 0.0);
   EXPECT_THAT(mistakes(planet(kNeedles + "complement: full, rollers: 15")),
               ElementsAre(HasSubstr("a full complement of 15 rollers with room for 3 more; 18 rollers")));
-  for (const use::Analysis felt :
-       {use::quasi_static, use::dynamic, use::co_simulated, use::monolithic, use::fmu_bearing})
+  for (const AnalysisId felt : {AnalysisId::quasi_static, AnalysisId::dynamic, AnalysisId::co_simulated,
+                                AnalysisId::monolithic, AnalysisId::fmu_bearing})
     EXPECT_NO_THROW((void)require_used(in, felt));
-  EXPECT_THROW((void)require_used(in, use::planet_defect), BadInput);
+  EXPECT_THROW((void)require_used(in, AnalysisId::planet_defect), BadInput);
 }
 
 // 16 rollers for the 13 of NU 2340: C of ISO 281 is proportional to Z^(3/4), C_0 of ISO 76 and C_u to Z.

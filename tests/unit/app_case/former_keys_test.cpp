@@ -80,7 +80,7 @@ TEST(FormerKeys, EachUseIsWarnedOfWithThePresentName) {
                   warning("life.lambda", "life.reduction_factor"),
                   warning("bearing.outer_race.standing_form", "bearing.outer_race.out_of_roundness"),
                   warning("bearing.inner_race.turning_form", "bearing.inner_race.waviness")));
-  EXPECT_THAT(require_used(resolved.without_sweep(), use::monolithic),
+  EXPECT_THAT(require_used(resolved.without_sweep(), AnalysisId::monolithic),
               testing::Contains(warning("life.lambda", "life.reduction_factor")));
   EXPECT_THAT(former_key_warnings(shipped()), testing::IsEmpty());
 }

@@ -271,9 +271,9 @@ TEST(MachineAnalyses, UseWhatTheirParameterHolds) {
 
 // The type of one analysis holds more than that of the other, and some inputs depend on others.
 TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
-  const use::Analysis modes = machine_analysis(duplex_pair, "modes")->used,
-                      run = machine_analysis(duplex_pair, "run")->used;
-  const auto warnings_of = [](const std::vector<std::string>& settings, use::Analysis analysis) {
+  const AnalysisId modes = machine_analysis(duplex_pair, "modes")->used,
+                   run = machine_analysis(duplex_pair, "run")->used;
+  const auto warnings_of = [](const std::vector<std::string>& settings, AnalysisId analysis) {
     return require_used(read(duplex, settings), analysis);
   };
   const std::vector<std::string> loss{"response.loss_factor=0.01"};
@@ -297,7 +297,7 @@ TEST(MachineAnalyses, UseSomeInputsUnderAConditionOnOthers) {
               Contains(HasSubstr("operation.shaft_speed: 900 rpm has no effect on modes of a duplex pair")));
 }
 
-use::Analysis used_by(Model model, const char* command) {
+AnalysisId used_by(Model model, const char* command) {
   return machine_analysis(model, command)->used;
 }
 
@@ -316,7 +316,7 @@ TEST(MachineAnalyses, TakeAPartOfABearing) {
 
 // Inputs of profile and oil have the uses of the member that they state.
 TEST(MachineAnalyses, UseInputsByTheMemberThatTheyState) {
-  const use::Analysis run = used_by(roller_bearing, "run"), stiffness = used_by(roller_bearing, "stiffness");
+  const AnalysisId run = used_by(roller_bearing, "run"), stiffness = used_by(roller_bearing, "stiffness");
   const std::vector<std::string> crown{"bearing.profile.kind=circular", "bearing.profile.drop=5 um"};
   EXPECT_THAT(require_used(read(rollers, crown), run), IsEmpty());
   EXPECT_THAT(require_used(read(rollers, crown), stiffness), IsEmpty());
@@ -330,7 +330,7 @@ TEST(MachineAnalyses, UseInputsByTheMemberThatTheyState) {
 
 // Friction by a stated oil takes a grade beside a stated kappa.
 TEST(MachineAnalyses, UseAnOilForFriction) {
-  const use::Analysis run = used_by(roller_bearing, "run");
+  const AnalysisId run = used_by(roller_bearing, "run");
   const std::vector<std::string> kappa{"lubricant.grade=ISO VG 68", "life.viscosity_ratio=2",
                                        "life.contamination_factor=0.4"};
   std::vector<std::string> at_rest = kappa;
@@ -357,7 +357,7 @@ simulation: {duration: 0.01 s}
 )";
 
 TEST(MachineAnalyses, RefuseWhatTheyCannotInclude) {
-  const use::Analysis run = used_by(ball_motion, "run");
+  const AnalysisId run = used_by(ball_motion, "run");
   EXPECT_THAT(require_used(read(balls_in_time), run), IsEmpty());
   EXPECT_THROW(require_used(read(balls_in_time, {"load.tilt=1 mrad"}), run), BadInput);
   EXPECT_THAT(

@@ -90,7 +90,7 @@ TEST(UncertainCase, StandsInTheResolvedCase) {
 
 TEST(UncertainCase, IsOfNoUseToASweepThatIsGivenIt) {
   EXPECT_THAT(
-      require_used(shipped({power}), use::quasi_static),
+      require_used(shipped({power}), AnalysisId::quasi_static),
       testing::Contains(AllOf(StartsWith("uncertain.input.power"), HasSubstr("used by uncertainty"))));
   EXPECT_THAT(uncertain_warnings(shipped(
                   {"uncertain.bearing.cage.pocket_stiffness={normal: {standard_deviation: 1e5 N/m}}"})),

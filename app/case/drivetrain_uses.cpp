@@ -4,140 +4,51 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "app/case/case_shape.hpp"
+#include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_use.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
-#include "bearing/defect/scratch.hpp"
-#include "coupling/analysis/stated_drivetrain.hpp"
-#include "coupling/analysis/vibration_record.hpp"
-#include "coupling/study/planet_scratch.hpp"
+#include "coupling/analysis/drivetrain_physics.hpp"
 #include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-/// All members of a drivetrain that a case states by a row beside them.
-struct DrivetrainRows {
-  analysis::StatedSet set;
-  gearset::Drive drive;
-  bearing::defect::Scratch scratch;
-  study::ScratchedPosition position;
-  study::PlanetSampling sampling;
-  analysis::EnvelopeBand band;
-};
-template <class Visitor>
-void describe(Visitor& visit, DrivetrainRows& m) {
-  using namespace described;
-  members(visit, m, part(m.set), part(m.drive), part(m.scratch), part(m.position), part(m.sampling),
-          part(m.band));
-}
-
-/// The physics by which a member changes a result.
-enum class Physics {
-  everywhere,     // gears and bearings alike
-  planet,         // teeth and all that a planet is made of
-  gear_bodies,    // masses and springs of the gears
-  thrust,         // axial forces of helical gears
-  central_teeth,  // teeth and bodies of sun and ring, without effect on planets at rest
-  output,         // what lies behind the sets
-  gear_motion,    // gears in motion
-  balance,        // what rollers carry, under a static load too
-  carrier,        // the same, but only of a bearing that a carrier takes round
-  walls,          // the carrier's, which hold the pins: gears and rollers in motion
-  pin,            // what holds the bearing: its springs, and rollers in motion
-  load_sharing,   // unlike loads of the planets
-  positions,     // of the planets on the carrier, by which their loads differ and their meshes follow another
-  at_rest,       // bearings at rest, and those in motion that start from them
-  motion,        // rollers and cage in motion
-  euler,         // the carrier's speed that changes
-  life,          // effect of the rollers' loads on life
-  run,           // means over time
-  run_up,        // speeds that grow
-  defect,        // a bearing with scratches in motion
-  exchange,      // windows of a co-simulation
-  carrier_body,  // the carrier in three dimensions, held by its own bearings
-  other_machines
-};
-
-// Analyses that hold the physics. What belongs to it alone has no effect on others.
-unsigned holding(Physics physics) {
-  using enum Physics;
-  static constexpr std::pair<Physics, unsigned> holders[] = {
-      {everywhere, use::all},
-      {planet, use::of_a_drivetrain},
-      {thrust, use::mesh},
-      {gear_bodies, use::gears_in_motion | use::natural},
-      {central_teeth, use::gears_in_motion | use::natural | use::mesh},
-      {output, 0},
-      {gear_motion, use::gears_in_motion},
-      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness},
-      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness},
-      {carrier_body, use::carrier},
-      {walls, use::gears_in_motion | use::natural | use::rollers_in_motion},
-      {pin, use::rollers_in_motion | use::bearings_as_springs},
-      {load_sharing, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets},
-      {positions, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh},
-      {at_rest, use::rollers_at_rest | use::in_time | use::bearings_as_springs},
-      {motion, use::rollers_in_motion},
-      {euler, use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing},
-      {life, use::lives | use::fmu_bearing},
-      {run, use::in_time},
-      {run_up, use::dynamic | use::dynamic_of_sets},
-      {defect, use::planet_defect},
-      {exchange, use::co_simulated},
-      {other_machines, 0}};
-  return std::ranges::find(holders, physics, &std::pair<Physics, unsigned>::first)->second;
-}
-
-// Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean
-// forces, and crown varies a planet of the mean load.
-unsigned leaving_out(Physics physics) {
-  using enum Physics;
-  if (physics == gear_bodies || physics == gear_motion || physics == central_teeth)
-    return use::dynamic_of_sets;
-  // Only the runs for scratched bearings model scratches; the other analyses that move bearings leave them
-  // out.
-  if (physics == Physics::defect)
-    return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return physics == load_sharing || physics == positions ? use::crown | use::planet_stiffness : 0u;
-}
+using analysis::Physics;
 
 // Members of Use that hold the possible uses of a field by an analysis.
-constexpr unsigned Use::*statuses[]{&Use::by, &Use::not_modelled_by, &Use::refused_by};
+constexpr AnalysisSet Use::*statuses[]{&Use::by, &Use::not_modelled_by, &Use::refused_by};
 
-void put(Use& use, use::Analysis analysis, unsigned Use::*status) {
-  for (unsigned Use::*other : statuses) use.*other &= ~unsigned{analysis};
+void put(Use& use, AnalysisId analysis, AnalysisSet Use::*status) {
+  for (AnalysisSet Use::*other : statuses) use.*other = (use.*other).without(analysis);
   use.*status |= analysis;
 }
 
 // `analysis` does with a field what `leader` does, its ways apart.
-void follow(Use& use, use::Analysis analysis, use::Analysis leader) {
-  for (unsigned Use::*status : statuses) {
-    use.*status &= ~unsigned{analysis};
-    if ((use.*status & leader) != 0) use.*status |= analysis;
+void follow(Use& use, AnalysisId analysis, AnalysisId leader) {
+  for (AnalysisSet Use::*status : statuses) {
+    use.*status = (use.*status).without(analysis);
+    if ((use.*status).has(leader)) use.*status |= analysis;
   }
 }
 
-constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
-constexpr unsigned no_tilt =
-    (use::rollers_in_motion & ~(use::dynamic | use::dynamic_of_sets)) | use::planet_stiffness;
-constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
-constexpr unsigned but_at_rest = use::of_a_drivetrain & ~unsigned{use::quasi_static | use::mesh};
-
-Use also_used(Use use, unsigned analyses) {
+Use also_used(Use use, AnalysisSet analyses) {
   use.by |= analyses;
-  use.not_modelled_by &= ~analyses;
+  use.not_modelled_by = use.not_modelled_by.without(analyses);
   return use;
 }
 
 /// Rules of the uses, by the members that they are about.
 class UseRules {
+  using enum AnalysisId;
+
  public:
   UseRules();
 
@@ -191,16 +102,16 @@ class UseRules {
   /// Differences of single members from their physics.
   struct Exception {
     Keys keys;
-    unsigned refused_by = 0;       // analyses that ought to take them and cannot
-    unsigned not_modelled_by = 0;  // analyses that vary them themselves, or do not need them
-    unsigned unused_by = 0;        // analyses that ought to include them and leave them out
+    AnalysisSet refused_by{};       // analyses that ought to take them and cannot
+    AnalysisSet not_modelled_by{};  // analyses that vary them themselves, or do not need them
+    AnalysisSet unused_by{};        // analyses that ought to include them and leave them out
   };
 
-  void find_physics();
   void find_exceptions();
-  Physics physics_of(const std::string& path) const {
+  /// None: the input is one of the rating, or of other machines alone.
+  std::optional<Physics> physics_of(const std::string& path) const {
     const auto found = physics_.find(path);
-    return found == physics_.end() ? Physics::other_machines : found->second;
+    return found == physics_.end() ? std::nullopt : std::optional(found->second);
   }
 
   Use by_physics(const std::string& path) const;
@@ -222,8 +133,8 @@ class UseRules {
   Condition filmed() const { return where(film_, {"true"}); }
   Condition rim_bends() const { return where(rim_, {"elastic"}); }
 
-  const DrivetrainRows rows_;
-  const mechanics::MemberKeys<DrivetrainRows> key_{rows_};
+  const analysis::DrivetrainRows rows_;
+  const mechanics::MemberKeys<analysis::DrivetrainRows> key_{rows_};
   const analysis::StatedSet& set_ = rows_.set;
   const study::PlanetaryDrivetrain& planets_ = set_.planets;
   const gearset::PlanetarySet& teeth_ = set_.teeth;
@@ -235,7 +146,15 @@ class UseRules {
   const analysis::LifeInputs& life_ = set_.rating.life;
   const analysis::BearingOil& oil_ = set_.rating.oil;
 
-  std::map<std::string, Physics, std::less<>> physics_;
+  const AnalysisSet all_ = all_of_drivetrains(), springs_ = analyses_with(Physics::springs),
+                    vibration_ = analyses_with(Physics::vibration),
+                    moving_gears_ = analyses_with(Physics::gear_motion),
+                    moving_rollers_ = analyses_with(Physics::motion),
+                    at_equilibrium_ = analyses_with(Physics::equilibrium),
+                    in_time_ = analyses_with(Physics::run), coupled_ = analyses_with(Physics::coupled),
+                    one_set_in_time_ = analyses_of_one_set_in_time();
+
+  const std::map<std::string, Physics, std::less<>>& physics_ = analysis::physics_of_inputs();
   std::vector<Exception> exceptions_;
 
   // Members that several rules are about.
@@ -313,91 +232,40 @@ class UseRules {
 };
 
 UseRules::UseRules() {
-  find_physics();
   find_exceptions();
-}
-
-void UseRules::find_physics() {
-  using enum Physics;
-  const auto put = [this](Physics physics, const Keys& keys) {
-    for (const std::string& key : keys) physics_[key] = physics;
-  };
-  const gearset::Drive& drive = rows_.drive;
-  const study::PinSeats& seats = planets_.seats;
-  const bearing::PlanetRows& rows = planets_.rows;
-  const bearing::CylindricalRollers& rollers = bearing_.rollers();
-  const bearing::motion::DynamicsParameters& dynamics = planets_.dynamics;
-  const system::SteadyStateOptions& steady = planets_.steady_state;
-  put(everywhere, of(set_.gears.material, rollers.profile));
-  put(planet, of(drive.member, drive.speed, drive.speed_of, drive.parallel.front,
-                 bearing_.outer.seat_diameter, set_.second_planet, teeth_));
-  put(thrust, of(teeth_.sun_thrust));
-  put(central_teeth, of(teeth_.sun_heights, teeth_.ring_heights, teeth_.web, teeth_.flanks));
-  put(positions, of(teeth_.planet_angles));
-  put(output, of(drive.parallel.behind));
-  put(gear_bodies, of(gears_.sun, gears_.ring, gears_.carrier, gears_.planet, gears_.bearing_stiffness,
-                      gears_.sun_mesh_stiffness, gears_.ring_mesh_stiffness));
-  put(gear_motion,
-      of(gears_.mesh_damping_ratio, gears_.bearing_damping_ratio, gears_.support_damping_ratio,
-         gears_.backlash, gears_.separation, gears_.sun_error, gears_.ring_error, planets_.mesh_variation));
-  put(load_sharing, of(gears_.pin_error_radial, gears_.pin_error_tangential));
-  put(walls, of(gears_.carrier_plate_ratio));
-  put(carrier_body, of(set_.carrier));
-  put(balance,
-      of(rows.balls, rows.ball_diameter, planets_.mounting, bearing_.pitch_diameter,
-         bearing_.radial_clearance, rollers.count, rollers.diameter, rollers.length, bearing_.contact_law));
-  put(motion, of(dynamics.race, dynamics.cage, dynamics.neighbours, dynamics.drag, rollers.diameter_deviation,
-                 dynamics.support.damping_ratio, steady.integration.method, steady.allowed_length_error,
-                 steady.load_error_share));
-  put(Physics::carrier,
-      of(drive.power, drive.application_factor, bearing_.cage, planets_.bearings_per_planet, bearing_.width,
-         race_.film_in_approach, planets_.rim, inertia_.coriolis, inertia_.carrier_centrifugal,
-         inertia_.own_orbit, dynamics.lubricant, bearing_.material.density));
-  put(pin, of(bearing_.inner.seat_diameter, dynamics.support.stiffness));
-  put(at_rest, of(seats, rows.contact_angle, rows.arrangement, rows.distance, rows.preload, rows.approach,
-                  planets_.cage_positions));
-  put(euler, of(inertia_.euler));
-  put(life, of(rollers.laminae, planets_.misalignment, planets_.reduction_factor));
-  put(run, of(dynamics.gravity, steady.observed_windows, steady.most_windows, steady.load_drift,
-              steady.cage_drift));
-  put(run_up, of(planets_.run_up));
-  put(Physics::defect, of(rows_.scratch, rows_.position, rows_.sampling));
-  put(exchange, of(planets_.exchange));
 }
 
 void UseRules::find_exceptions() {
   const study::PinSeats& seats = planets_.seats;
   const bearing::PlanetRows& rows = planets_.rows;
   exceptions_ = {
-      {of(planets_.run_up.acceleration), use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
-      {of(planets_.rim), use::gears | use::fmu_gearset | use::fmu_bearing},
+      {of(planets_.run_up.acceleration), quasi_static | coupled_, {}, gears | fmu_gearset},
+      {of(planets_.rim), gears | fmu_gearset | fmu_bearing},
       // Coupled gears start on it; --fidelity dynamic fits a law of its own.
-      {of(gears_.bearing_stiffness), 0, 0, use::dynamic},
-      {of(gears_.bearing_damping_ratio), 0, use::fmu_gearset, use::one_set_in_time},
-      {of(planets_.steady_state.integration.method), other_rungs | use::fmu_bearing},
-      {of(bearing_.rollers().diameter_deviation), use::rollers_at_rest},  // their mean assumes identical ones
-      {of(planets_.misalignment.planet_tilt), 0, use::crown},
+      {of(gears_.bearing_stiffness), {}, {}, dynamic},
+      {of(gears_.bearing_damping_ratio), {}, fmu_gearset, one_set_in_time_},
+      {of(planets_.steady_state.integration.method), coupled_ | fmu_bearing},
+      {of(bearing_.rollers().diameter_deviation), at_equilibrium_},  // their mean assumes identical ones
+      {of(planets_.misalignment.planet_tilt), {}, crown},
       // A computed tilt is that of bearings at rest; a single bearing in motion may use it. It has no effect
       // on gears.
       {of(seats.tilt, seats.axial_positions, seats.clearance_differences, seats.ends, seats.span,
           seats.diameter, seats.carrier_twist, seats.radial_inclination, seats.tangential_inclination),
-       no_tilt, use::bearings_as_springs},
+       moving_rollers_.without(dynamic | dynamic_of_sets) | planet_stiffness, springs_},
       // Stops hold planets and sun under a load; their stiffness affects only small vibration.
-      {of(set_.carrier.sun_axial_stiffness, set_.carrier.planet_axial_stiffness), 0, use::carrier},
+      {of(set_.carrier.sun_axial_stiffness, set_.carrier.planet_axial_stiffness), {}, carrier},
       // At rest and in gears alone planets are without weight; an FMU has no angle of its carrier.
-      {of(planets_.dynamics.gravity), use::fmu_bearing | use::fmu_gearset, 0,
-       use::quasi_static | use::crown | use::gears},
-      {of(race_.starvation), use::fmu_bearing},  // whose speeds change
-      {of(race_.film_heating), use::fmu_bearing},
+      {of(planets_.dynamics.gravity), fmu_bearing | fmu_gearset, {}, quasi_static | crown | gears},
+      {of(race_.starvation), fmu_bearing},  // whose speeds change
+      {of(race_.film_heating), fmu_bearing},
       // Rows of other bearings than cylindrical ones are modelled only quasi-static.
       {of(rows.contact_angle, rows.arrangement, rows.distance, rows.preload, rows.approach, rows.balls,
           rows.ball_diameter),
-       but_at_rest},
-      {of(planets_.steady_state.load_error_share), 0, 0,
-       use::fmu_bearing},  // whose loads are not known before
+       all_.without(quasi_static | mesh)},
+      {of(planets_.steady_state.load_error_share), {}, {}, fmu_bearing},  // whose loads are not known before
       // Two gears on a planet, and planets in pairs, are modelled only quasi-static.
-      {of(teeth_.stepped, set_.second_planet), no_second_gear},
-      {of(planets_.cage_positions), 0, use::dynamic_of_sets}};  // but for what is found at rest before
+      {of(teeth_.stepped, set_.second_planet), all_.without(quasi_static)},
+      {of(planets_.cage_positions), {}, dynamic_of_sets}};  // but for what is found at rest before
 }
 
 // Use by the physics of the member, with the exceptions of single ones.
@@ -405,10 +273,11 @@ Use UseRules::by_physics(const std::string& path) const {
   Exception but{};
   for (const Exception& exception : exceptions_)
     if (is_among(exception.keys, path)) but = exception;
-  const Physics physics = physics_of(path);
-  const unsigned without = leaving_out(physics) | but.unused_by;
-  const unsigned by = holding(physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
-  return {by, (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by, but.refused_by};
+  const std::optional<Physics> physics = physics_of(path);
+  const AnalysisSet holding = physics ? analyses_with(*physics) : AnalysisSet(),
+                    without = (physics ? analyses_leaving_out(*physics) : AnalysisSet()) | but.unused_by,
+                    by = holding.without(but.refused_by | but.not_modelled_by | but.unused_by);
+  return {by, all_.without(by | but.refused_by | without) | but.not_modelled_by, but.refused_by};
 }
 
 // Uses beyond the physics, and those that depend on other inputs, for each part of a drivetrain in turn.
@@ -416,15 +285,14 @@ Use UseRules::by_physics(const std::string& path) const {
 // A pin that is held at one end makes the support's stiffness where none is stated.
 Use UseRules::with_pins(const Use& use, std::string_view path) const {
   if (!link_rows(path)) return use;
-  return use.used_too(use::bearings_as_springs,
-                      {where_absent(support_), pin_links(path), tilts_are_computed()});
+  return use.used_too(springs_, {where_absent(support_), pin_links(path), tilts_are_computed()});
 }
 
 Use UseRules::with_meshes(Use use, std::string_view path) const {
   // It affects quasi-static results too where planets carry unequal loads, since it then determines the load
   // sharing.
   if (is_among(meshes_, path) || is_among(compliance_, path))
-    use = use.used_too(use::quasi_static | use::dynamic_of_sets, unlike_loads());
+    use = use.used_too(quasi_static | dynamic_of_sets, unlike_loads());
   // Length and form of a relief have an effect where there is one.
   const gearset::FlankModifications& flanks = teeth_.flanks;
   if (is_among(relief_, path))
@@ -432,19 +300,18 @@ Use UseRules::with_meshes(Use use, std::string_view path) const {
         where_given({key_(flanks.sun_relief), key_(flanks.planet_relief), key_(flanks.ring_relief)}));
   // Power and speed determine the load of the meshes, under which teeth deflect and helical teeth exert axial
   // forces; a rim bends under them.
-  if (is_among(load_, path) || is_among(speed_and_stages_, path) || path == rim_)
-    return also_used(use, use::mesh);
+  if (is_among(load_, path) || is_among(speed_and_stages_, path) || path == rim_) return also_used(use, mesh);
   return use;
 }
 
 // Laminae and the tilt of the bore affect lives, and the stiffness too; the model of line contacts has no
 // modulus, their films do.
 Use UseRules::with_stiffness(const Use& use, std::string_view path) const {
-  if (is_among(misalignment_, path)) return also_used(use, use::planet_stiffness);
+  if (is_among(misalignment_, path)) return also_used(use, planet_stiffness);
   if (path == pin_diameter_) return use.when(where(key_(planets_.seats.ends), {"flexpin"}));
-  if (path == key_(bearing_.rollers().laminae)) return also_used(use, use::planet_stiffness);
+  if (path == key_(bearing_.rollers().laminae)) return also_used(use, planet_stiffness);
   if (path != modulus_ && path != ratio_) return use;
-  return use.used_only(use::planet_stiffness, {filmed()}).used_too(use::planet_stiffness, rim_bends());
+  return use.used_only(planet_stiffness, {filmed()}).used_too(planet_stiffness, rim_bends());
 }
 
 // Lives include films; elsewhere the oil has an effect where a film takes part in the approach, or where the
@@ -454,18 +321,18 @@ Use UseRules::with_oil(const Use& use, std::string_view path) const {
       where_given({key_(life_.cleanliness), key_(life_.contamination_factor)}),
       where_absent(key_(life_.viscosity_ratio)), where_absent(key_(oil_.kinematic_viscosity))};
   const Condition no_grade = where_absent(grade_);
-  constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
+  const AnalysisSet with_film_alone = springs_ | planet_stiffness | crown;
   // It makes the viscosity of a grade, under films, or kinematic that which is stated.
   if (path == density_of_oil_) {
     const Condition grade = where_given({grade_});
     viscosity_makes_kappa.push_back(no_grade);
-    return use.used_too(use::quasi_static, grade)
+    return use.used_too(quasi_static, grade)
         .used_too(with_film_alone, {grade, filmed()})
-        .used_too(use::quasi_static | use::crown, viscosity_makes_kappa);
+        .used_too(quasi_static | crown, viscosity_makes_kappa);
   }
   if (path != viscosity_ && path != key_(planets_.dynamics.lubricant.pressure_viscosity)) return use;
   Use oil = use.used_only(with_film_alone, {filmed()});
-  if (path == viscosity_) oil = oil.used_too(use::crown, viscosity_makes_kappa);
+  if (path == viscosity_) oil = oil.used_too(crown, viscosity_makes_kappa);
   return oil.when(no_grade);
 }
 
@@ -473,32 +340,29 @@ Use UseRules::with_oil(const Use& use, std::string_view path) const {
 // planet as well affects them beside these too, and what makes the rim that bends: bearings hold the race in
 // it.
 Use UseRules::with_springs(const Use& use, const std::string& path) const {
-  if (is_among(race_of_planet_, path)) return use.used_too(use::mesh, rim_bends());
+  if (is_among(race_of_planet_, path)) return use.used_too(mesh, rim_bends());
   if (is_among(web_, path))
-    return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
+    return use.limited(moving_gears_ | vibration_ | quasi_static,
                        {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
   if (path == modulus_)
-    return use.limited(use::bearings_as_springs,
-                       {where_true(modulus_makes_springs, "where a stiffness is not given")});
+    return use.limited(springs_, {where_true(modulus_makes_springs, "where a stiffness is not given")});
   if (path == ratio_)
-    return use.limited(use::bearings_as_springs,
-                       {where_true(material_makes_springs, "where a stiffness is not given")});
+    return use.limited(springs_, {where_true(material_makes_springs, "where a stiffness is not given")});
   const bool of_speed = is_among(speed_and_stages_, path);
   if (of_speed || is_among(load_, path))
-    return use.limited(of_speed ? use::modes : use::natural,
+    return use.limited(of_speed ? AnalysisSet(modes) : vibration_,
                        {where_true(loads_make_springs, "where a stiffness depends on the load")});
-  if (is_among(frame_, path)) return use.limited(use::modes, {bearings_are_springs()});
-  const Physics physics = physics_of(path);
+  if (is_among(frame_, path)) return use.limited(modes, {bearings_are_springs()});
+  const std::optional<Physics> physics = physics_of(path);
   const bool of_bearing = physics == Physics::balance || physics == Physics::carrier ||
                           physics == Physics::pin || physics == Physics::at_rest;
   if (!of_bearing || path == key_(bearing_.material.density) || path == rim_) return use;
-  return use.limited(use::bearings_as_springs, {bearings_are_springs()});
+  return use.limited(springs_, {bearings_are_springs()});
 }
 
 // Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
 Use UseRules::with_rotating_carrier(const Use& use) const {
-  return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
-                     {where_true(carrier_rotates, "where the carrier rotates")});
+  return use.limited(all_.without(fmu_bearing), {where_true(carrier_rotates, "where the carrier rotates")});
 }
 
 // A carrier that is held pulls on nothing.
@@ -507,16 +371,15 @@ Use UseRules::with_carrier(const Use& use, std::string_view path) const {
   const std::string rotating =
       "where the carrier rotates and " + key_(inertia_.carrier_centrifugal) + " is true";
   if (is_among(cage_sizes_, path) || is_among(motion_of_cage_, path))
-    return use.limited(use::rollers_at_rest | use::bearings_as_springs,
-                       {where_true(carrier_pulls, rotating)});
+    return use.limited(at_equilibrium_ | springs_, {where_true(carrier_pulls, rotating)});
   const bool of_rim = is_among(rim_sizes_, path);
   if (!of_rim && !is_among(of_planet_, path)) return use;
   const Use as_mass =
-      use.limited(use::rollers_at_rest,
+      use.limited(at_equilibrium_,
                   {where_true(planet_counts_at_rest,
                               rotating + ", or the planet bends, tilts or is pressed on a seat")})
-          .used_too(use::quasi_static, unlike_loads());
-  return of_rim ? as_mass.used_too(use::quasi_static, std::vector<Condition>{}) : as_mass;
+          .used_too(quasi_static, unlike_loads());
+  return of_rim ? as_mass.used_too(quasi_static, std::vector<Condition>{}) : as_mass;
 }
 
 // A member that is held does not move, unless a spring holds it.
@@ -529,7 +392,7 @@ Use UseRules::with_held_members(const Use& use, std::string_view path) const {
     std::vector<std::string> others;
     for (const auto& [other, name] : names_of(member))
       if (other != member) others.emplace_back(name);
-    return use.limited(use::natural,
+    return use.limited(vibration_,
                        {where(key_(teeth_.fixed_member), others), where_absent(key_(teeth_.sun_teeth)),
                         where_given({key_(choice->torsional_stiffness)})});
   }
@@ -545,7 +408,7 @@ Use UseRules::with_own_condition(const Use& use, const std::string& path, const 
 
 Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) const {
   // Besides the friction of the races, others build up over the same sliding speed.
-  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
+  const AnalysisSet moving = moving_rollers_ | planet_defect;
   if (path == key_(race_.sliding_scale))
     return use.used_too(moving, where_given({key_(cage_.pocket_friction)}))
         .used_too(moving, where_given({key_(cage_.guide_diameter)}))
@@ -554,9 +417,9 @@ Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) cons
                            where_given({key_(planets_.dynamics.neighbours.friction)})});
   if (path == key_(race_.largest_barus_exponent))
     return use.when(condition_of({key_(race_.traction), bearing::kLawsOfOil.text}));
-  if (path == key_(race_.film_heating)) return also_used(use, use::quasi_static);
+  if (path == key_(race_.film_heating)) return also_used(use, quasi_static);
   if (path == key_(race_.viscosity_slope))
-    return use.used_too(use::quasi_static, where(key_(race_.film_heating), {"gupta"}));
+    return use.used_too(quasi_static, where(key_(race_.film_heating), {"gupta"}));
   return use;
 }
 
@@ -571,23 +434,22 @@ Use UseRules::beside_rollers(const Use& use, std::string_view path) const {
 Use UseRules::with_resonances(const Use& use, std::string_view path) const {
   if (path != spring_) return use;
   return use
-      .used_too(use::dynamic,
+      .used_too(dynamic,
                 where_true(resonances_are_named, "where " + key_(planets_.mesh_variation) + " is true"))
-      .used_too(use::dynamic, where_true(is_one_system, "where " + key_(set_.complement) + " is full"));
+      .used_too(dynamic, where_true(is_one_system, "where " + key_(set_.complement) + " is full"));
 }
 
 // A pin that is the inner race moves with it, down to its hole.
 Use UseRules::with_moving_pin(const Use& use, std::string_view path) const {
   if (path != key_(planets_.mounting.pin_bore)) return use;
-  return use.used_too(
-      use::rollers_in_motion,
-      where_true(pin_is_race, "where " + key_(planets_.mounting.rings) + " is outer or none"));
+  return use.used_too(moving_rollers_, where_true(pin_is_race, "where " + key_(planets_.mounting.rings) +
+                                                                   " is outer or none"));
 }
 
 // Members of different physics, each of which depends on other choices.
 Use UseRules::with_other_ways(Use use, std::string_view path) const {
   const auto at_steady_speed = [&](const Use& any) {
-    return any.limited(use::dynamic | use::dynamic_of_sets,
+    return any.limited(dynamic | dynamic_of_sets,
                        {where_true(speed_is_steady, "where " + acceleration_ + " is 0")});
   };
   // The diameter of the pin makes its stiffness where none is stated.
@@ -595,14 +457,13 @@ Use UseRules::with_other_ways(Use use, std::string_view path) const {
     for (Way& way : use.ways) way.conditions.push_back(where_absent(support_));
   // The outer ring is a part of the planet's mass, and of its rim.
   if (path == width_)
-    use = use.limited(use::rollers_at_rest | use::bearings_as_springs,
+    use = use.limited(at_equilibrium_ | springs_,
                       {where(key_(planets_.mounting.rings), {"both", "outer"}), rim_bends()});
   use = with_friction_and_heat(use, path);
   if (path == key_(race_.starvation)) return at_steady_speed(use);
-  if (path == key_(planets_.cage_positions)) return use.used_too(use::dynamic_of_sets, tilts_are_computed());
+  if (path == key_(planets_.cage_positions)) return use.used_too(dynamic_of_sets, tilts_are_computed());
   if (path == key_(race_.roughness))
-    return use.used_too(use::quasi_static | use::in_time,
-                        where(key_(set_.rating.viscosity_ratio_by), {"film"}));
+    return use.used_too(quasi_static | in_time_, where(key_(set_.rating.viscosity_ratio_by), {"film"}));
   if (path == key_(planets_.mounting.expansion))
     return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
   if (path == key_(rows_.scratch.profile))
@@ -610,15 +471,15 @@ Use UseRules::with_other_ways(Use use, std::string_view path) const {
   // The carrier's speed grows in a run-up, and as the master of an FMU has it.
   if (path == key_(inertia_.euler))
     return with_rotating_carrier(
-        use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({acceleration_})})
-            .used_only(use::gears | use::fmu_gearset,
+        use.used_only(dynamic | dynamic_of_sets, {where_given({acceleration_})})
+            .used_only(gears | fmu_gearset,
                        {where_true(gears_run_up, "together with " + key_(gears_.run_up.duration) +
                                                      " and a run_up.from other than 1")}));
   // A run-up is observed from its begin to its end.
   if (path == key_(planets_.steady_state.observed_windows)) return at_steady_speed(use);
   // For a driven sun or ring the power determines the tooth force, whichever member is held.
   if (path == key_(teeth_.fixed_member))
-    return use.used_only(use::mesh, {where(key_(rows_.drive.member), {"carrier"})});
+    return use.used_only(mesh, {where(key_(rows_.drive.member), {"carrier"})});
   return use;
 }
 
@@ -626,44 +487,42 @@ Use UseRules::with_planet_defect(const Use& use, std::string_view path) const {
   Use more = use;
   if (is_among(scratch_, path) || path == kScratchedSet) return more;
   if (is_among(beside_scratch_, path) || begins_with_one_of(path, {"life.", "requirements.", "spectrum"})) {
-    put(more, use::planet_defect, &Use::not_modelled_by);
+    put(more, planet_defect, &Use::not_modelled_by);
     return more;
   }
-  follow(more, use::planet_defect, is_among(computed_tilt_, path) ? use::dynamic : use::monolithic);
+  follow(more, planet_defect, is_among(computed_tilt_, path) ? dynamic : monolithic);
   const auto is_to_a_life = [](const Condition& condition) {
     return std::ranges::any_of(condition.paths,
                                [](const std::string& other) { return other.starts_with("life."); });
   };
   for (Way& way : more.ways)
-    if ((way.by & use::monolithic) != 0 && std::ranges::none_of(way.conditions, is_to_a_life))
-      way.by |= use::planet_defect;
+    if (way.by.has(monolithic) && std::ranges::none_of(way.conditions, is_to_a_life)) way.by |= planet_defect;
   return more;
 }
 
 Use UseRules::with_carrier_body(Use use, std::string_view path) const {
-  constexpr unsigned leaders = use::modes | use::quasi_static;
+  constexpr AnalysisSet leaders = modes | quasi_static;
   if (is_among(carrier_, path)) return use;
   if (is_among(refused_by_carrier_, path)) {
-    put(use, use::carrier, &Use::refused_by);
+    put(use, carrier, &Use::refused_by);
     return use;
   }
   if (is_among(left_out_of_carrier_, path) || path == kMinimumLoadPath ||
       begins_with_one_of(path, {"requirements.", "spectrum"})) {
-    put(use, use::carrier, &Use::not_modelled_by);
-    if (path == key_(planets_.seats.axial_positions))
-      return use.used_too(use::carrier, std::vector<Condition>{});
-    return link_rows(path) ? use.used_too(use::carrier, body_has_pin(path)) : use;
+    put(use, carrier, &Use::not_modelled_by);
+    if (path == key_(planets_.seats.axial_positions)) return use.used_too(carrier, std::vector<Condition>{});
+    return link_rows(path) ? use.used_too(carrier, body_has_pin(path)) : use;
   }
-  if ((use.refused_by & use::quasi_static) != 0)
-    put(use, use::carrier, &Use::refused_by);
-  else if ((use.by & leaders) != 0)
-    put(use, use::carrier, &Use::by);
+  if (use.refused_by.has(quasi_static))
+    put(use, carrier, &Use::refused_by);
+  else if (use.by.has_some_of(leaders))
+    put(use, carrier, &Use::by);
   else
-    follow(use, use::carrier, use::modes);
+    follow(use, carrier, modes);
   for (Way& way : use.ways)
-    if ((way.by & leaders) != 0) way.by |= use::carrier;
+    if (way.by.has_some_of(leaders)) way.by |= carrier;
   // It moves back flanks whatever the pins do.
-  if (path == key_(gears_.backlash)) put(use, use::carrier, &Use::by);
+  if (path == key_(gears_.backlash)) put(use, carrier, &Use::by);
   return use;
 }
 
@@ -676,13 +535,13 @@ Use UseRules::with_carrier_beside(const Use& use, std::string_view path) const {
     return conditions;
   };
   Use more = use;
-  if ((use.by & use::carrier) != 0 && (use.by & use::quasi_static) == 0)
-    more = more.used_too(use::quasi_static, with_body(use.conditions));
+  if (use.by.has(carrier) && !use.by.has(quasi_static))
+    more = more.used_too(quasi_static, with_body(use.conditions));
   for (const Way& way : use.ways)
-    if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
-      more = more.used_too(use::quasi_static, with_body(way.conditions));
-  if (is_among(beside_plane_, path)) more = more.used_too(use::modes, body);
-  if (link_rows(path)) more = more.used_too(use::modes, with_body(body_has_pin(path)));
+    if (way.by.has(carrier) && !way.by.has(quasi_static))
+      more = more.used_too(quasi_static, with_body(way.conditions));
+  if (is_among(beside_plane_, path)) more = more.used_too(modes, body);
+  if (link_rows(path)) more = more.used_too(modes, with_body(body_has_pin(path)));
   return more;
 }
 
