@@ -380,6 +380,8 @@ class Figures(kept_records.Recorded):
                                                        f"{shown}.zone.3.places.3.angle_deg": -170.0}),
                 ("speeds at two tilts", speeds, content, {f"{shown}.speeds.1.tilt_mrad": 0.7}), ("speeds, computed tilt", speeds, content, {f"{shown}.speeds.*.tilt_mrad": None, "crown.life_key": "L10mh"}),
                 ("speeds, one", speeds, content, {f"{shown}.speeds.*.speed_rpm": [1000.0]}), ("profiles, two", outlines, content, {f"{shown}.profiles": lambda x: x[:2]}),
+                ("profiles, deep", outlines, content, {f"{shown}.profiles.*.drop_um": lambda x: [2.5 * one for one in x]}),
+                ("profiles, shallow", outlines, content, {f"{shown}.profiles.*.drop_um": lambda x: [0.4 * one for one in x]}),
                 ("profiles, flat", outlines, content, {f"{shown}.profiles.*.drop_um": [0.0] * 8})):
             self.block(f"crown: {name}", draw, changed(base, edits))
         self.check("crown: lives", [[crown.life_key_of(one), crown.half_space_life_key(one)] for one in ({}, {"life_key": "life_h"}, {"life_key": "L10mrh"})])

@@ -110,6 +110,12 @@ def axis_of(axis):
             "grid": bool(axis._major_tick_kw.get("gridOn")), "label": axis.get_label().get_text(), "side": axis.get_label_position()}
 
 
+def second_axis_of(axes):
+    """One that names the positions of another in its own way, with the ticks that are set."""
+    axis = axes.xaxis if axes._orientation == "x" else axes.yaxis
+    return {"kind": type(axes).__name__, "limits": list(axes.get_xlim()), "axis": axis_of(axis)}
+
+
 def axes_of(axes):
     found = {"kind": axes.name, "title": [axes.get_title(loc=place) for place in ("left", "center", "right")], "limits": [list(axes.get_xlim()), list(axes.get_ylim())],
              "aspect": str(axes.get_aspect()), "shown": [axes.get_visible(), axes.axison], "x axis": axis_of(axes.xaxis), "y axis": axis_of(axes.yaxis),
@@ -130,8 +136,7 @@ def axes_of(axes):
             drawn.append(text_of(axes, artist))
     found["artists"] = drawn
     found["contours"] = [[numbers(values) for values in one.orbearing_map] for one in vars(axes).get("orbearing_contours", [])]
-    found["within"] = [axes_of(child) if hasattr(child, "xaxis") and hasattr(child, "get_title") and hasattr(child, "lines") else type(child).__name__
-                       for child in axes.child_axes]
+    found["within"] = [axes_of(child) if hasattr(child, "get_title") else second_axis_of(child) for child in axes.child_axes]
     return found
 
 
