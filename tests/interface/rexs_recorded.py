@@ -44,6 +44,17 @@ def turned(model, name, stated=True):
     return model
 
 
+def driven_by_word(second):
+    """A pair without loads, whose data say whether the second gear drives."""
+    model = rexs_files.gearbox()
+    for _, kind, _, rows in model.components:
+        if kind == "external_load":
+            rows[:] = [row for row in rows if row[0] == "u_coordinate_on_shaft"]
+    model.add(11, "stage_gear_data", "", is_driving_gear=second)
+    model.relate("stage_gear_data", stage=10, gear=8, stage_gear_data=11)
+    return model
+
+
 MODELS = {
     "pair without shifts": lambda: unshifted(file_units.gearbox, center_distance=62.0), "pair with one shift": lambda: unshifted(file_units.gearbox, 2, center_distance=62.0),
     "stage without shifts": lambda: unshifted(file_units.stage), "stage with the ring's shift": lambda: unshifted(file_units.stage, 2),
@@ -58,7 +69,9 @@ MODELS = {
     "lengths": lambda: file_units.of_lengths(significant_contact_length_inner_ring=(55.0, "mm"), significant_contact_length_outer_ring=(57.0, "mm")),
     **{f"clearance {i}": lambda one=one: file_units.of_clearance(**one) for i, one in enumerate((
         {"operating_radial_bearing_clearance": (-5.0, "mum")}, {"radial_clearance_class": ("C3", "none")}, {"radial_clearance_class": ("C9", "none")}, {"radial_backlash": (0.03, "mm")}, {"nominal_radial_bearing_clearance": (0.05, "mm")},
-        {"mounted_radial_bearing_clearance": (0.04, "mm")}, {"minimum_radial_bearing_clearance": (0.02, "mm"), "maximum_radial_bearing_clearance": (0.05, "mm")}))},
+        {"mounted_radial_bearing_clearance": (0.04, "mm")}, {"minimum_radial_bearing_clearance": (0.02, "mm"), "maximum_radial_bearing_clearance": (0.05, "mm")},
+        {"minimum_radial_bearing_clearance": (0.02, "mm")}, {"maximum_radial_bearing_clearance": (0.05, "mm")}))},
+    "pair, driven by the second gear": lambda: driven_by_word(True), "pair, not driven by the second gear": lambda: driven_by_word(False),
 }
 TEXTS = {"bearing_type": "radial_tapered_roller_bearing", "designation": "NU 210", "clearance_class": "C4", "axial_sense": "positive", "cleanliness": "-/17/14", "lubricant_name": "Oil X 46", "manufacturer": "SKF"}
 SWITCHES = {"has_inner_ring": False, "has_outer_ring": False}
