@@ -86,7 +86,7 @@ class RandomBalls {
   }
   MotionParameters parameters(const Bearing& b) {
     MotionParameters p;
-    p.race.traction = static_cast<TractionLaw>(whole(0, 2));
+    p.race.traction = static_cast<TractionLaw>(whole(0, kTractionLaws - 1));
     p.cage.pocket_clearance = between(0.01, 0.04) * b.balls().diameter;
     if (b.balls().count % 2 == 1) p.cage.pocket_film = motion::PocketFilm::hydrodynamic;
     p.pocket.straight = whole(0, 1) == 0 ? 0.0 : between(0.0, 0.03) * b.balls().diameter;

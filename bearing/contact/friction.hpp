@@ -268,8 +268,14 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     laws.roelands = given.pressure_law == Pressed::roelands;
     laws.mixed = given.lubrication == Lubrication::mixed;
     laws.coulomb = CoulombFriction<Number>::of(given);
-    if (laws.traction == TractionLaw::limiting_shear)
-      laws.shear = LimitingShear<Number>::of(given, contact, film);
+    switch (laws.traction) {
+      case TractionLaw::limiting_shear:
+        laws.shear = LimitingShear<Number>::of(given, contact, film);
+        break;
+      case TractionLaw::regularised_coulomb:  // asperities have it, too
+      case TractionLaw::ree_eyring:           // rollers lack it
+        break;
+    }
     if (laws.mixed) laws.asperities = MixedFriction<Number>::of(given, film);
     laws.rolling = RollingResistance<Number>::of(contact);
     laws.computed_rolling = given.rolling_law == Rolling::reynolds;

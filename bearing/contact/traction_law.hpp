@@ -18,35 +18,42 @@ struct TractionNature {
   const char* name;  // in a case
   bool of_rollers;   // rollers have it; balls have all
   bool shears_oil;   // it needs oil and the limiting friction; else the friction of the surfaces
+  bool thins_oil;    // it has the stress at which the oil begins to thin
 };
 
 [[gnu::always_inline]] constexpr TractionNature nature_of(TractionLaw law) {
   switch (law) {
     case TractionLaw::regularised_coulomb:
-      return {.name = "regularised-coulomb", .of_rollers = true, .shears_oil = false};
+      return {.name = "regularised-coulomb", .of_rollers = true, .shears_oil = false, .thins_oil = false};
     case TractionLaw::limiting_shear:
-      return {.name = "limiting-shear", .of_rollers = true, .shears_oil = true};
+      return {.name = "limiting-shear", .of_rollers = true, .shears_oil = true, .thins_oil = false};
     case TractionLaw::ree_eyring:
-      return {.name = "ree-eyring", .of_rollers = false, .shears_oil = true};
+      return {.name = "ree-eyring", .of_rollers = false, .shears_oil = true, .thins_oil = true};
   }
   __builtin_trap();  // no law has another value
 }
 
-/// Names of the laws that shear oil, or of those of surfaces, as a condition on other inputs has them: "a|b".
+/// Names of laws of one nature, as a condition on other inputs has them: "a|b".
 struct LawNames {
   char text[128]{};
 };
-constexpr LawNames law_names(bool shear_oil) {
+constexpr LawNames law_names(bool TractionNature::*nature, bool has_it = true, const char* between = "|") {
   LawNames names;
   int end = 0;
+  const auto add = [&](const char* text) {
+    for (; *text != 0; ++text) names.text[end++] = *text;
+  };
   for (int i = 0; i < kTractionLaws; ++i) {
-    const TractionNature nature = nature_of(static_cast<TractionLaw>(i));
-    if (nature.shears_oil != shear_oil) continue;
-    if (end > 0) names.text[end++] = '|';
-    for (const char* letter = nature.name; *letter != 0; ++letter) names.text[end++] = *letter;
+    const TractionNature one = nature_of(static_cast<TractionLaw>(i));
+    if (one.*nature != has_it) continue;
+    if (end > 0) add(between);
+    add(one.name);
   }
   return names;
 }
-inline constexpr LawNames kLawsOfOil = law_names(true), kLawsOfSurfaces = law_names(false);
+inline constexpr LawNames kLawsOfOil = law_names(&TractionNature::shears_oil),
+                          kLawsOfSurfaces = law_names(&TractionNature::shears_oil, false),
+                          kLawsOfThinnedOil = law_names(&TractionNature::thins_oil),
+                          kRollerLaws = law_names(&TractionNature::of_rollers, true, " or ");
 
 }  // namespace orbearing::bearing

@@ -115,7 +115,7 @@ void check_oil(const DynamicsParameters& parameters) {
       race.film_in_approach || nature_of(race.traction).shears_oil || mixed || pocket_film || race.squeeze;
   require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
           parameters.lubricant.viscosity,
-          "more than 0 for a film, its squeeze, limiting shear or mixed lubrication");
+          "more than 0 for a film, its squeeze, friction of sheared oil or mixed lubrication");
   require(!(mixed || race.squeeze) || race.roughness > 0.0, "roughness of roller and race [m]",
           race.roughness, "more than 0 for mixed lubrication and squeezed films");
   require(!mixed || race.boundary_friction >= 0.0, "boundary friction [-]", race.boundary_friction,
@@ -182,7 +182,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
   require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
           parameters.race.entrainment_scale, "more than 0");
   require(nature_of(parameters.race.traction).of_rollers, "traction model",
-          described::text_of(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
+          described::text_of(parameters.race.traction), std::string(kRollerLaws.text) + " for rollers");
   check_oil(parameters);
   check_form(bearing, geometry);
   require(std::isfinite(parameters.driving.ramp), "speed ramp [1/s]", parameters.driving.ramp,

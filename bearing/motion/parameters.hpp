@@ -155,7 +155,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
                      "[JohnsonTevaarwerk1977]"}),
       input(m.limiting_friction, "traction.limiting_friction",
             "limiting shear stress of the oil over pressure",
-            {.range = {0.0, 1.0}, .reason = "mineral oil", .where = {"traction.law", "limiting-shear"}}),
+            {.range = {0.0, 1.0}, .reason = "mineral oil", .where = {"traction.law", kLawsOfOil.text}}),
       internal(m.least_sliding_scale, "traction.least_sliding_scale"),
       input(m.pressure_law, "traction.pressure_law",
             "growth of the viscosity with pressure in sheared films: Barus, limited, or Roelands",

@@ -10,11 +10,10 @@
 namespace orbearing::analysis {
 
 /// For inputs whose motion of the balls is `moving_balls(inputs)`. Besides the friction of the races, that of
-/// the cage builds up over the same sliding speed, and other laws have the same limit.
+/// the cage builds up over the same sliding speed.
 template <class Inputs>
 std::vector<mechanics::Conditional<Inputs>> conditions_of_ball_friction(
     const Inputs& m, const mechanics::MemberKeys<Inputs>& key) {
-  using bearing::TractionLaw;
   const bearing::motion::RaceContactParameters& race = moving_balls(m).race;
   const std::string &scale = key(race.sliding_scale), &law = key(race.traction);
   return {
@@ -25,14 +24,6 @@ std::vector<mechanics::Conditional<Inputs>> conditions_of_ball_friction(
       {.keys = {scale},
        .premises = {{.on = {key(moving_balls(m).cage.guide_diameter)},
                      .holds = [](const Inputs& in) { return moving_balls(in).cage.guide_diameter != 0.0; }}},
-       .beside_row = true},
-      {.keys = {key(race.limiting_friction)},
-       .premises = {{.on = {law},
-                     .holds =
-                         [](const Inputs& in) {
-                           return moving_balls(in).race.traction == TractionLaw::ree_eyring;
-                         },
-                     .value = "ree-eyring"}},
        .beside_row = true},
       {.keys = {key(race.largest_barus_exponent)},
        .premises = {

@@ -94,11 +94,8 @@ class SetCheck {
   void find_traction_of_balls() {
     const bearing::TractionLaw& stated = planets_.dynamics.race.traction;
     if (set_.rollers().count == 0 || nature_of(stated).of_rollers) return;
-    std::string of_rollers;
-    for (const auto& [law, name] : names_of(stated))
-      if (nature_of(law).of_rollers) of_rollers += (of_rollers.empty() ? "" : " or ") + std::string(name);
     add(stated, "'" + std::string(text_of(stated)) + "', a traction model for balls",
-        of_rollers + " is required for rollers");
+        bearing::kRollerLaws.text + std::string(" is required for rollers"));
   }
 
   bool has_all_of_gears() const {

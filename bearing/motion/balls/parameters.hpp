@@ -39,7 +39,7 @@ void describe(Visitor& visit, EllipseParameters& m) {
             {.dimension = dimension::stress,
              .range = positive(1.0),
              .reason = "mineral oil",
-             .where = {"traction.law", "ree-eyring"}}),
+             .where = {"traction.law", kLawsOfThinnedOil.text}}),
       input(m.slices, "traction.slices", "slices of an ellipse of contact across the direction of rolling",
             {.range = {1, 32}, .reason = "friction within a per cent", .numerical = true}),
       input(m.rows, "traction.rows", "points of each slice along the direction of rolling",
