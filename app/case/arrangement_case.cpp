@@ -83,7 +83,7 @@ std::string stated_torque(const ResolvedCase& in) {
 
 void check_speed_of(CheckedCase& resolved) {
   if (!resolved.has(keys().speed_of) || !resolved.mistakes.empty() ||
-      part_of<gearset::Drive>(resolved, Missing::left_out).speed_of == gearset::SpeedOf::motor)
+      stated_drivetrain(resolved, Missing::left_out).drive.speed_of == gearset::SpeedOf::motor)
     return;
   for (const mechanics::Problem& problem :
        analysis::speed_problems(stated_drivetrain(resolved, Missing::left_out), stated_torque(resolved)))

@@ -104,6 +104,7 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
   throw_if_stopped();  // a sweep may have tens of thousands of points
+  if (settings.empty()) return *this;
   CaseData data = *data_;
   int number = 0;
   for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);

@@ -84,7 +84,7 @@ void check_bearing_type(CheckedCase& in) {
 }
 
 void check_set(CheckedCase& in) {
-  const analysis::StatedSet set = stated_set(in, Missing::left_out);
+  const analysis::StatedSet& set = stated_drivetrain(in, Missing::left_out).single();
   add_problems(in, analysis::problems(set));
   add_problems(in, bearing::motion::starvation_problems(set.planets.dynamics.race,
                                                         has_all(in, {keys().bore, keys().outside_diameter})));

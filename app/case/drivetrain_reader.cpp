@@ -38,7 +38,15 @@ ReadShaft shaft_of(const ResolvedCase& in, const std::string& name) {
   return read;
 }
 
-analysis::StatedSet stated_set(const ResolvedCase& in, Missing missing) {
+std::string unequal_loads_by(const ResolvedCase& in) {
+  return in.model() == planetary_drivetrain && !in.shape().several
+             ? unequal_loads_by(stated_drivetrain(in).single())
+             : "";
+}
+
+namespace {
+
+analysis::StatedSet read_set(const ResolvedCase& in, Missing missing) {
   // Without a bearing nothing of one is expected.
   analysis::StatedSet set =
       part_of<analysis::StatedSet>(in, has_planet_bearing(in) ? missing : Missing::left_out);
@@ -46,20 +54,30 @@ analysis::StatedSet stated_set(const ResolvedCase& in, Missing missing) {
   return set;
 }
 
-std::string unequal_loads_by(const ResolvedCase& in) {
-  return in.model() == planetary_drivetrain && !in.shape().several ? unequal_loads_by(stated_set(in)) : "";
-}
+struct DrivetrainAsFarAsStated {
+  analysis::StatedDrivetrain drivetrain;
+};
 
-analysis::StatedDrivetrain stated_drivetrain(const ResolvedCase& in, Missing missing) {
+analysis::StatedDrivetrain read_drivetrain(const ResolvedCase& in, Missing missing) {
   analysis::StatedDrivetrain drivetrain{.drive = part_of<gearset::Drive>(in, missing)};
   if (!in.shape().several) {
-    drivetrain.sets.push_back({"", stated_set(in, missing)});
+    drivetrain.sets.push_back({"", read_set(in, missing)});
     return drivetrain;
   }
   for (const std::string& name : in.shape().sets)
-    drivetrain.sets.push_back({name, stated_set(in.of_set(name), missing)});
+    drivetrain.sets.push_back({name, read_set(in.of_set(name), missing)});
   for (const std::string& name : in.shape().shafts) drivetrain.shafts.push_back(shaft_of(in, name).shaft);
   return drivetrain;
+}
+
+}  // namespace
+
+const analysis::StatedDrivetrain& stated_drivetrain(const ResolvedCase& in, Missing missing) {
+  if (missing == Missing::refused)
+    return in.once<analysis::StatedDrivetrain>([&] { return read_drivetrain(in, missing); });
+  return in
+      .once<DrivetrainAsFarAsStated>([&] { return DrivetrainAsFarAsStated{read_drivetrain(in, missing)}; })
+      .drivetrain;
 }
 
 }  // namespace orbearing::app

@@ -10,12 +10,12 @@
 
 namespace orbearing::app {
 
-/// The one set of a case, or one of several by ResolvedCase::of_set().
-analysis::StatedSet stated_set(const ResolvedCase& resolved, Missing missing = Missing::refused);
-
-/// All sets of a case, with what joins and drives them.
-analysis::StatedDrivetrain stated_drivetrain(const ResolvedCase& resolved,
-                                             Missing missing = Missing::refused);
+/// All sets of a case, with what joins and drives them; read once for each case. One of several by
+/// ResolvedCase::of_set() is a single one.
+const analysis::StatedDrivetrain& stated_drivetrain(const ResolvedCase& resolved,
+                                                    Missing missing = Missing::refused);
+const analysis::StatedDrivetrain& stated_drivetrain(const ResolvedCase&& resolved,
+                                                    Missing missing = Missing::refused) = delete;
 
 /// The input by which the planets of a single set carry unequal loads (analysis::unequal_loads_by); empty for
 /// other cases.

@@ -1,7 +1,6 @@
 // Conditions beside the types that analyses of machines take: conditional_uses() of machine_fields.hpp.
 // Unlike the other pairs of this folder it has no header of its own, since cases are above the fields.
 #include <algorithm>
-#include <optional>
 
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_of.hpp"
@@ -11,26 +10,14 @@ namespace orbearing::app {
 
 namespace {
 
-// Of the case that was asked for last: all conditions of a case are asked one after another.
-template <class Inputs>
-const Inputs& machine_asked_for(const ResolvedCase& in) {
-  thread_local std::optional<ResolvedCase> of;  // a copy, so that no other case has the address of its data
-  thread_local Inputs machine;
-  if (!of || &of->data() != &in.data()) {
-    of.reset();
-    machine = machine_of<Inputs>(in);
-    of = in;
-  }
-  return machine;
-}
-
 template <class Row, class Inputs>
 Condition condition_of(const mechanics::Premise<Inputs>& premise) {
   return {.paths = premise.on,
           .values = premise.value.empty() ? std::vector<std::string>{} : parts_of(premise.value, '|'),
           .holds =
               [holds = premise.holds](const ResolvedCase& in, std::string_view) {
-                return in.model() == Row::model && holds(machine_asked_for<Inputs>(in));
+                return in.model() == Row::model &&
+                       holds(in.once<Inputs>([&] { return machine_of<Inputs>(in); }));
               },
           .text = premise.text};
 }

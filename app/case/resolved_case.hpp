@@ -6,8 +6,10 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -103,6 +105,29 @@ struct CaseData {
   std::vector<FormerKey> former;  // keys that the case gives by their former names
 };
 
+/// What was made of a case, by type: each is made once, when it is first asked for.
+class MadeOfCase {
+ public:
+  template <class Made, class Make>
+  const Made& get(const Make& make) {
+    if (const Made* found = find<Made>()) return *found;
+    auto made = std::make_shared<const Made>(make());  // unlocked: it may ask for another one
+    const std::scoped_lock lock(keeping_);
+    return *static_cast<const Made*>(kept_.try_emplace(typeid(Made), std::move(made)).first->second.get());
+  }
+
+ private:
+  template <class Made>
+  const Made* find() {
+    const std::scoped_lock lock(keeping_);
+    const auto found = kept_.find(typeid(Made));
+    return found == kept_.end() ? nullptr : static_cast<const Made*>(found->second.get());
+  }
+
+  std::mutex keeping_;
+  std::map<std::type_index, std::shared_ptr<const void>> kept_;
+};
+
 class ResolvedCase {
  public:
   explicit ResolvedCase(CaseData data) : data_(std::make_shared<const CaseData>(std::move(data))) {}
@@ -145,6 +170,15 @@ class ResolvedCase {
   const std::vector<FormerKey>& former() const { return data_->former; }
   const CaseData& data() const { return *data_; }
 
+  /// What `make` gives, made once for the case and all copies that share its values; valid as long as one of
+  /// them is.
+  template <class Made, class Make>
+  const Made& once(const Make& make) const& {
+    return made_->get<Made>(make);
+  }
+  template <class Made, class Make>
+  const Made& once(const Make& make) const&& = delete;
+
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;
   ResolvedCase with(const std::string& path, const std::string& text) const;
@@ -172,6 +206,7 @@ class ResolvedCase {
   const StoredValue& stored(std::string_view path, Kind kind) const;
 
   std::shared_ptr<const CaseData> data_;  // copies share it: a case does not change
+  std::shared_ptr<MadeOfCase> made_ = std::make_shared<MadeOfCase>();
 };
 
 /// Whether the case has a value at `path` that is no default.

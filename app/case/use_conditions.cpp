@@ -1,7 +1,6 @@
 #include "app/case/use_conditions.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/drivetrain_reader.hpp"
@@ -15,23 +14,11 @@ namespace {
 using analysis::StatedDrivetrain;
 using analysis::StatedSet;
 
-// Of the case that was asked for last: all conditions of a case are asked one after another.
-const StatedDrivetrain& drivetrain_asked_for(const ResolvedCase& in) {
-  thread_local std::optional<ResolvedCase> of;  // a copy, so that no other case has the address of its data
-  thread_local StatedDrivetrain drivetrain;
-  if (!of || &of->data() != &in.data()) {
-    of.reset();
-    drivetrain = stated_drivetrain(in);
-    of = in;
-  }
-  return drivetrain;
-}
-
 // Whether it holds for that set; where none is named, for one of them.
 template <class Holds>
 bool holds_for(const ResolvedCase& in, std::string_view prefix, const Holds& holds) {
   if (in.model() != planetary_drivetrain) return false;
-  return std::ranges::any_of(drivetrain_asked_for(in).sets, [&](const auto& one) {
+  return std::ranges::any_of(stated_drivetrain(in).sets, [&](const auto& one) {
     return (prefix.empty() || set_prefix(one.name) == prefix) && holds(one.set);
   });
 }
@@ -63,7 +50,7 @@ bool pin_links_rows(const ResolvedCase& in, std::string_view set) {
 
 bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
   return in.model() == planetary_drivetrain &&
-         analysis::carrier_rotates(drivetrain_asked_for(in), name_of(in, set));
+         analysis::carrier_rotates(stated_drivetrain(in), name_of(in, set));
 }
 bool carrier_pulls(const ResolvedCase& in, std::string_view set) {
   return carrier_rotates(in, set) && holds_for(in, set, [](const StatedSet& of) {
@@ -75,7 +62,7 @@ bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
 }
 
 bool carrier_is_body(const ResolvedCase& in, std::string_view) {
-  return in.model() == planetary_drivetrain && analysis::carrier_is_body(drivetrain_asked_for(in));
+  return in.model() == planetary_drivetrain && analysis::carrier_is_body(stated_drivetrain(in));
 }
 
 bool bearings_make_springs(const ResolvedCase& in, std::string_view set) {
@@ -123,10 +110,10 @@ bool planets_have_rollers(const ResolvedCase& in, std::string_view set) {
 }
 
 bool resonances_are_named(const ResolvedCase& in, std::string_view) {
-  return in.model() == planetary_drivetrain && analysis::resonances_are_named(drivetrain_asked_for(in));
+  return in.model() == planetary_drivetrain && analysis::resonances_are_named(stated_drivetrain(in));
 }
 bool is_one_system(const ResolvedCase& in, std::string_view) {
-  return in.model() == planetary_drivetrain && analysis::is_one_system(drivetrain_asked_for(in));
+  return in.model() == planetary_drivetrain && analysis::is_one_system(stated_drivetrain(in));
 }
 bool pin_is_race(const ResolvedCase& in, std::string_view set) {
   return holds_for(in, set, analysis::pin_is_race);

@@ -33,7 +33,7 @@ void require_carrier(const ResolvedCase& in) {
   if (!in.has(keys().carrier_bearings))
     throw BadInput(in.file() + ": " + keys().carrier_bearings +
                    ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
-  if (stated_set(in).teeth.fixed_member != gearset::Member::ring)
+  if (stated_drivetrain(in).single().teeth.fixed_member != gearset::Member::ring)
     throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 

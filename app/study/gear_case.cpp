@@ -69,7 +69,7 @@ study::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& in, study::Pla
 
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& in, double carrier_speed) {
   require_one_set(in);
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   const analysis::StatedSet& set = stated.single();
   if (!in.shape().teeth) return study::toothless_model(set.teeth, set.gears.choice, carrier_speed);
   require_known_springs(in);
@@ -91,7 +91,7 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& in) {
   require_one_set(in);
   require_known_springs(in);
   described::Record record;
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   if (!in.shape().teeth)
     describe(record, analysis::GearQuantities{gear_model_of(in)});
   else
@@ -105,7 +105,7 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& in) {
   std::vector<std::string> texts = gear_warnings(in);
   for (std::string& text : planar_warnings(in)) texts.push_back(std::move(text));
   if (!in.shape().teeth) return texts;
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   for (const gearset::Warning& warning : study::mesh_warnings(single_set(stated), stated.single().gears))
     texts.push_back(warning.key + ": " + warning.text);
   return texts;

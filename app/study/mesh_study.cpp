@@ -20,7 +20,7 @@ MeshStudy mesh_study(const ResolvedCase& in) {
                    ": sets: found several sets; required: one set, as gearset at the top of a case");
   if (!in.shape().teeth)
     throw BadInput(in.file() + ": gearset.teeth: missing; required: teeth, which the meshes follow from");
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   const analysis::StatedSet& set = stated.single();
   return analysis::meshes_of_set(drivetrain_of(set, drive_of(stated)), set.gears, set.geometry);
 }
@@ -35,7 +35,7 @@ MeshStudy mesh_study_with_warnings(const ResolvedCase& in) {
 }
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in) {
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(stated.single(), drive_of(stated));
   return study::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), stated.single().gears);
 }

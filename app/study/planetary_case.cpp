@@ -42,7 +42,7 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& in) {
 }
 
 std::vector<study::NamedSet> bearing_sets(const ResolvedCase& in) {
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   require_sound_carrier(in, stated);
   std::vector<study::NamedSet> sets = analysis::bearing_sets(stated);
   for (auto& [name, drivetrain, geometry] : sets)
@@ -61,7 +61,7 @@ analysis::PowerOfMembers power_of(const ResolvedCase& in) {
 }
 
 std::vector<std::string> overturning_warnings(const ResolvedCase& in) {
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   return analysis::is_helical(stated) ? analysis::overturning_warnings(analysis::bearing_sets(stated))
                                       : std::vector<std::string>{};
 }
@@ -112,7 +112,7 @@ const study::SetGears& gears_of(const analysis::StatedDrivetrain& stated, const 
 
 std::vector<Derived> derived_quantities(const ResolvedCase& in) {
   std::vector<Derived> rows;
-  const analysis::StatedDrivetrain stated = stated_drivetrain(in);
+  const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   if (!stated.is_single() || in.shape().bearing) {
     for (const study::NamedSet& set : bearing_sets(in))
       add_rows_of(analysis::quantities_of(set, gears_of(stated, set.name), few_swept_speeds(in)), set.name,

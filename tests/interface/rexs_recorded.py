@@ -44,6 +44,15 @@ def turned(model, name, stated=True):
     return model
 
 
+def at_distances(sun, ring):
+    """A stage whose meshes state these centre distances [mm]: below 284 mm its teeth cannot mesh."""
+    model = rexs_files.planetary()
+    for number, kind, _, rows in model.components:
+        if kind == "cylindrical_stage":
+            rows[:] = [(key, (sun if number < 71 else ring) if key == "center_distance" else value, unit) for key, value, unit in rows]
+    return model
+
+
 def driven_by_word(second):
     """A pair without loads, whose data say whether the second gear drives."""
     model = rexs_files.gearbox()
@@ -71,6 +80,8 @@ MODELS = {
         {"operating_radial_bearing_clearance": (-5.0, "mum")}, {"radial_clearance_class": ("C3", "none")}, {"radial_clearance_class": ("C9", "none")}, {"radial_backlash": (0.03, "mm")}, {"nominal_radial_bearing_clearance": (0.05, "mm")},
         {"mounted_radial_bearing_clearance": (0.04, "mm")}, {"minimum_radial_bearing_clearance": (0.02, "mm"), "maximum_radial_bearing_clearance": (0.05, "mm")},
         {"minimum_radial_bearing_clearance": (0.02, "mm")}, {"maximum_radial_bearing_clearance": (0.05, "mm")}))},
+    "stage, too near to the ring": lambda: at_distances(308.0, 270.0), "stage, too near to the sun": lambda: at_distances(270.0, 308.0),
+    "stage, two distances": lambda: at_distances(308.0, 309.0),
     "pair, driven by the second gear": lambda: driven_by_word(True), "pair, not driven by the second gear": lambda: driven_by_word(False),
 }
 TEXTS = {"bearing_type": "radial_tapered_roller_bearing", "designation": "NU 210", "clearance_class": "C4", "axial_sense": "positive", "cleanliness": "-/17/14", "lubricant_name": "Oil X 46", "manufacturer": "SKF"}

@@ -81,7 +81,8 @@ TEST(StatedGeometry, NamesTheSignOfDin) {
   EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.033 mm", "gearset.profile_shift.ring=-0.1591"}),
               ElementsAre(AllOf(HasSubstr("872.39"), HasSubstr("DIN 3960"), HasSubstr("opposite sign, 0.1591, gives centre distance 877.03"))));
   const auto warnings = [](const std::vector<std::string>& settings) {
-    const analysis::StatedSet set = stated_set(parse_case(kStage, "case.yaml", settings));
+    const ResolvedCase in = parse_case(kStage, "case.yaml", settings);
+    const analysis::StatedSet& set = stated_drivetrain(in).single();
     std::vector<std::string> texts;
     for (const gearset::Warning& warning : gearset::ring_sign_warnings(with_bore(set), set.geometry))
       texts.push_back(warning.key + ": " + warning.text);

@@ -81,7 +81,8 @@ void expect_flank_of(const Tooth& tooth, const nlohmann::ordered_json& gear) {
 
 TEST(GearReport, FlanksAreThoseOfTheTeeth) {
   const ResolvedCase in = gears();
-  const gearset::WorkingGeometry geometry = gearset::working_geometry(with_bore(stated_set(in)));
+  const gearset::WorkingGeometry geometry =
+      gearset::working_geometry(with_bore(stated_drivetrain(in).single()));
   const nlohmann::ordered_json pairs = gear_report(in, {18000.0})["tooth_pairs"];
   expect_flank_of(geometry.sun, pairs[0]["gears"][0]);
   expect_flank_of(geometry.planet, pairs[0]["gears"][1]);
