@@ -44,6 +44,26 @@ def turned(model, name, stated=True):
     return model
 
 
+def saying(make, kind, each=None, **attributes):
+    """A model whose components of a kind state these attributes, (value, unit), or do not: None. `each`: of the first, second and so on of them."""
+    model = make()
+    for place, (number, _, _, _) in enumerate([one for one in model.components if one[1] == kind]):
+        own = attributes | (each[place] if each and place < len(each) else {})
+        file_units.with_attributes(model, number, **{key: value for key, value in own.items() if value is not None})
+        for _, _, _, rows in (one for one in model.components if one[0] == number):
+            rows[:] = [row for row in rows if row[0] not in own or own[row[0]] is not None]
+    return model
+
+
+def cut_by(*tools):
+    """A pair whose gears were cut by tools of these kinds and tip radii."""
+    model = rexs_files.gearbox()
+    for gear, (kind, radius) in zip((7, 8), tools):
+        model.add(gear * 100, kind, "", tip_radius_factor=radius)
+        model.relate("ordered_reference", origin=gear, referenced=gear * 100)
+    return model
+
+
 def at_distances(sun, ring):
     """A stage whose meshes state these centre distances [mm]: below 284 mm its teeth cannot mesh."""
     model = rexs_files.planetary()
@@ -80,6 +100,19 @@ MODELS = {
         {"operating_radial_bearing_clearance": (-5.0, "mum")}, {"radial_clearance_class": ("C3", "none")}, {"radial_clearance_class": ("C9", "none")}, {"radial_backlash": (0.03, "mm")}, {"nominal_radial_bearing_clearance": (0.05, "mm")},
         {"mounted_radial_bearing_clearance": (0.04, "mm")}, {"minimum_radial_bearing_clearance": (0.02, "mm"), "maximum_radial_bearing_clearance": (0.05, "mm")},
         {"minimum_radial_bearing_clearance": (0.02, "mm")}, {"maximum_radial_bearing_clearance": (0.05, "mm")}))},
+    "stage, no shifts, no distance": lambda: saying(lambda: unshifted(rexs_files.planetary), "cylindrical_stage", center_distance=None),
+    "stage, no widths": lambda: saying(lambda: saying(rexs_files.planetary, "cylindrical_gear", face_width=None), "ring_gear", face_width=None),
+    "stage, no module": lambda: saying(lambda: saying(rexs_files.planetary, "cylindrical_gear", normal_module=None), "ring_gear", normal_module=None),
+    "stage, unlike modules": lambda: saying(rexs_files.planetary, "ring_gear", normal_module=(9.0, "mm")),
+    "stage, other bearings": lambda: saying(rexs_files.planetary, "rolling_bearing_with_detailed_geometry", bearing_type=("radial_spherical_roller_bearing", "none")),
+    "stage, unknown bearings": lambda: saying(lambda: rexs_files.planetary(bearing="designation"), "rolling_bearing_with_catalog_geometry", catalogue_designation=("QQ 77", "none")),
+    "pair, no shifts, no distance": lambda: saying(lambda: unshifted(rexs_files.gearbox), "cylindrical_stage", center_distance=None),
+    "pair, no widths": lambda: saying(rexs_files.gearbox, "cylindrical_gear", face_width=None), "pair, no module": lambda: saying(rexs_files.gearbox, "cylindrical_gear", normal_module=None),
+    "pair, no angle": lambda: saying(rexs_files.gearbox, "cylindrical_gear_flank", normal_pressure_angle=None),
+    "pair, two angles": lambda: saying(rexs_files.gearbox, "cylindrical_gear_flank", [{}, {}, {"normal_pressure_angle": (22.5, "deg")}]),
+    "pair, unlike heights": lambda: saying(rexs_files.gearbox, "cylindrical_gear", [{}, {"tip_diameter": (84.6, "mm")}], tip_diameter=(44.0, "mm"), root_diameter=(35.0, "mm")),
+    "pair, one rack": lambda: cut_by(("rack_shaped_tool", 0.3), ("rack_shaped_tool", 0.3)), "pair, two racks": lambda: cut_by(("rack_shaped_tool", 0.3), ("rack_shaped_tool", 0.25)),
+    "pair, a cutter wheel": lambda: cut_by(("cutter_wheel_tool", 0.2), ("rack_shaped_tool", 0.25)), "pair, cutter wheels": lambda: cut_by(("cutter_wheel_tool", 0.2), ("cutter_wheel_tool", 0.3)),
     "stage, too near to the ring": lambda: at_distances(308.0, 270.0), "stage, too near to the sun": lambda: at_distances(270.0, 308.0),
     "stage, two distances": lambda: at_distances(308.0, 309.0),
     "pair, driven by the second gear": lambda: driven_by_word(True), "pair, not driven by the second gear": lambda: driven_by_word(False),
