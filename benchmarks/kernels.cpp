@@ -112,7 +112,7 @@ void add_step(const Duty& duty, int factor) {
 }
 
 // Speeds at constant power, in no order that a solver could profit from.
-std::vector<bearing::OperatingPoint> static_points(const study::PlanetaryDrivetrain& drivetrain) {
+std::vector<bearing::OperatingPoint> static_points(const analysis::PlanetaryDrivetrain& drivetrain) {
   std::vector<bearing::OperatingPoint> points;
   for (int i = 0; i < kStaticPoints; ++i)
     points.push_back(
@@ -120,7 +120,7 @@ std::vector<bearing::OperatingPoint> static_points(const study::PlanetaryDrivetr
   return points;
 }
 
-void add_static(const study::PlanetaryDrivetrain& drivetrain) {
+void add_static(const analysis::PlanetaryDrivetrain& drivetrain) {
   const auto points = static_points(drivetrain);
   const bearing::Bearing bearing = drivetrain.bearing;
   add("plain_static", [points, bearing] {
@@ -137,7 +137,7 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
 }
 
 // A combination as studies of profiles ask for it: profile, tilt and operating point are new each time.
-void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
+void add_laminae(const analysis::PlanetaryDrivetrain& drivetrain) {
   using namespace bearing::laminae;
   bearing::Bearing bearing = drivetrain.bearing;
   bearing.rollers().laminae = kLaminae;
@@ -177,7 +177,7 @@ std::map<int, double> steps_by_rollers(const std::map<std::string, double>& time
 
 }  // namespace
 
-KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
+KernelTimes time_kernels(const analysis::PlanetaryDrivetrain& drivetrain) {
   const Duty duty = duty_at(drivetrain, 6000.0, 0.0);
   add_kernels(std::make_shared<Bench>(duty));
   for (const int factor : kRollerFactors) add_step(duty, factor);

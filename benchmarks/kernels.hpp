@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "coupling/study/drivetrain.hpp"
+#include "coupling/analysis/drivetrain.hpp"
 
 namespace orbearing::bench {
 
@@ -18,11 +18,11 @@ struct KernelTimes {
   double exponent = 0.0;    // of the step's cost over the number of rollers, fitted to 15, 30, 60, 120
   std::map<int, double> step_by_rollers;  // the same four
   double plain_static = 0.0;              // a quasi-static point, one cage angle, readable
-  double fast_static = 0.0;               // the same as sweeps compute it, all angles of a pitch at once, one core
+  double fast_static = 0.0;   // the same as sweeps compute it, all angles of a pitch at once, one core
   double lamina = 0.0;        // one lamina of one contact of 40, with load, moment and their slopes
   double lamina_point = 0.0;  // a quasi-static point of 40 laminae with tilt, all cage angles
 };
 
-KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain);
+KernelTimes time_kernels(const analysis::PlanetaryDrivetrain& drivetrain);
 
 }  // namespace orbearing::bench

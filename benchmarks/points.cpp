@@ -7,7 +7,7 @@
 
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bench {
@@ -25,10 +25,10 @@ constexpr int kLaminae[] = {1, 8, 32, 64};
 constexpr int kRuns = 5;
 
 // CPU time [s] of a point as a sweep computes it.
-double point_seconds(study::PlanetaryDrivetrain drivetrain, double rpm) {
+double point_seconds(analysis::PlanetaryDrivetrain drivetrain, double rpm) {
   drivetrain.drive.speed = rpm * two_pi / 60.0;
   const Stopwatch watch;
-  study::evaluate(drivetrain, study::derive(drivetrain), study::Fidelity::dynamic);
+  analysis::evaluate(drivetrain, analysis::derive(drivetrain), analysis::Fidelity::dynamic);
   return watch.cpu();
 }
 
@@ -40,7 +40,7 @@ Duty cut(const Duty& duty, int laminae) {
 }  // namespace
 
 void put_points(Json& out) {
-  const study::PlanetaryDrivetrain drivetrain = shipped_reducer(MeshForces::varying);
+  const analysis::PlanetaryDrivetrain drivetrain = shipped_reducer(MeshForces::varying);
   std::vector<double> rates;
   for (int i = 0; i < kNeighbours; ++i)
     rates.push_back(1.0 / point_seconds(drivetrain, kMiddle * (1.0 + kBetweenNeighbours * i)));

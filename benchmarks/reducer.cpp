@@ -4,7 +4,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bench {
@@ -17,7 +17,7 @@ double Duty::cage_revolution() const {
   return two_pi / std::abs(speed);
 }
 
-study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes, Squeeze squeeze) {
+analysis::PlanetaryDrivetrain shipped_reducer(MeshForces meshes, Squeeze squeeze) {
   const std::string file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml";
   const std::string varying = meshes == MeshForces::varying ? "true" : "false";
   const std::string squeezed = squeeze == Squeeze::off ? "false" : "true";
@@ -28,15 +28,15 @@ study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes, Squeeze squeeze) {
                             "traction.rolling_law=goksem-hargreaves"}));  // that of the frozen equations
 }
 
-Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {
+Duty duty_at(analysis::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {
   drivetrain.drive.speed = rpm * two_pi / 60.0;
   drivetrain.bearing.radial_clearance = 1e-6 * clearance;
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  return {
-      drivetrain.bearing, duty.point,
-      study::dynamics_parameters(drivetrain, geometry, duty, study::gears_on_tangent(drivetrain, geometry)),
-      drivetrain.steady_state.allowed_length_error};
+  const analysis::DrivetrainGeometry geometry = analysis::derive(drivetrain);
+  const analysis::BearingDuty duty = analysis::bearing_duty(drivetrain, geometry);
+  return {drivetrain.bearing, duty.point,
+          analysis::dynamics_parameters(drivetrain, geometry, duty,
+                                        analysis::gears_on_tangent(drivetrain, geometry)),
+          drivetrain.steady_state.allowed_length_error};
 }
 
 Duty with_laminae(Duty duty, int laminae) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bearing/motion/model.hpp"
-#include "coupling/study/drivetrain.hpp"
+#include "coupling/analysis/drivetrain.hpp"
 
 namespace orbearing::bench {
 
@@ -28,11 +28,11 @@ enum class MeshForces { constant, varying };
 enum class Squeeze { off, races, races_and_pockets };
 
 /// The shipped case, with the film in the approach. Throws app::BadInput where it cannot be read.
-study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes = MeshForces::constant,
-                                           Squeeze squeeze = Squeeze::races_and_pockets);
+analysis::PlanetaryDrivetrain shipped_reducer(MeshForces meshes = MeshForces::constant,
+                                              Squeeze squeeze = Squeeze::races_and_pockets);
 
 /// Duty at the input speed `rpm` [1/min] with diametral clearance `clearance` [um].
-Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance);
+Duty duty_at(analysis::PlanetaryDrivetrain drivetrain, double rpm, double clearance);
 
 /// Its contacts cut into `laminae`, the rollers with the standard's profile.
 Duty with_laminae(Duty duty, int laminae);

@@ -99,7 +99,7 @@ std::string point_name(double rpm, double clearance) {
   return fmt::format("{:.0f}/{:.0f}", rpm, clearance);
 }
 
-void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
+void put_real_time(const analysis::PlanetaryDrivetrain& drivetrain, Json& out) {
   say("real-time factors");
   double least = INFINITY;
   for (const double clearance : kClearances)
@@ -110,7 +110,7 @@ void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
       least = std::min(least, factor);
     }
   out["min_real_time_factor"] = least;
-  const study::PlanetaryDrivetrain shaken = shipped_reducer(MeshForces::varying);
+  const analysis::PlanetaryDrivetrain shaken = shipped_reducer(MeshForces::varying);
   for (const double clearance : kClearances) {
     const std::string name = point_name(kMiddleSpeed, clearance);
     out["real_time_factor_real_meshes"][name] = real_time(duty_at(shaken, kMiddleSpeed, clearance));
@@ -119,7 +119,7 @@ void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
   }
 }
 
-void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial, Json& out) {
+void put_errors(const analysis::PlanetaryDrivetrain& drivetrain, Trial& main_trial, Json& out) {
   say("accuracy of the fast path");
   out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
   out["fast_allowed_length_error_m"] =
@@ -140,7 +140,7 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
 
 Json measure() {
   const Stopwatch watch;
-  const study::PlanetaryDrivetrain drivetrain = shipped_reducer();
+  const analysis::PlanetaryDrivetrain drivetrain = shipped_reducer();
   Json out;
   out["instruction_set"] = mechanics::name_of(mechanics::best_instruction_set());
   say("kernels");

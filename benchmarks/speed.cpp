@@ -20,14 +20,14 @@ constexpr int kSweepRuns = 5;
 constexpr int kSweepThreads = 2;
 constexpr double kSweepDuration = 0.13;  // [s]
 
-void simulate(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance) {
+void simulate(const analysis::PlanetaryDrivetrain& drivetrain, double rpm, double clearance) {
   Contest contest(duty_at(drivetrain, rpm, clearance));
   contest.run(Method::fast, contest.quasi_static_start(), {kSweepDuration, 1},
               contest.duty().allowed_length_error);
 }
 
 // Slow speeds take longest, and go first.
-double sweep_once(const study::PlanetaryDrivetrain& drivetrain, double clearance) {
+double sweep_once(const analysis::PlanetaryDrivetrain& drivetrain, double clearance) {
   std::atomic<int> next = 1;
   const auto work = [&] {
     for (int point = next++; point <= kSweepPoints; point = next++)
@@ -68,7 +68,7 @@ double real_time(const Duty& duty) {
   return median(factors);
 }
 
-double sweep_seconds(const study::PlanetaryDrivetrain& drivetrain, double clearance) {
+double sweep_seconds(const analysis::PlanetaryDrivetrain& drivetrain, double clearance) {
   std::vector<double> seconds;
   for (int run = 0; run < kSweepRuns; ++run) seconds.push_back(sweep_once(drivetrain, clearance));
   return median(seconds);

@@ -17,6 +17,6 @@ double real_time(const Duty& duty);
 
 /// Wall time [s] of twelve speeds, 0.13 s simulated each from the quasi-static state, on two threads; median
 /// of five.
-double sweep_seconds(const study::PlanetaryDrivetrain& drivetrain, double clearance);
+double sweep_seconds(const analysis::PlanetaryDrivetrain& drivetrain, double clearance);
 
 }  // namespace orbearing::bench

@@ -152,7 +152,7 @@ Json neighbours(const std::vector<Duty>& duties) {
 Json step_sequences(Squeeze squeeze) {
   Json out;
   for (const bool shaken : {false, true}) {
-    const study::PlanetaryDrivetrain drivetrain =
+    const analysis::PlanetaryDrivetrain drivetrain =
         shipped_reducer(shaken ? MeshForces::varying : MeshForces::constant, squeeze);
     for (const auto& [rpm, clearance] : {std::pair{6000.0, 0.0}, std::pair{12000.0, 37.0}}) {
       std::vector<Duty> speeds, clearances;
@@ -170,7 +170,7 @@ Json step_sequences(Squeeze squeeze) {
 }
 
 // Medians [ns] of a step with one, two, four and eight packs of rollers: fixed + pack * packs.
-Json step_shares(const study::PlanetaryDrivetrain& drivetrain) {
+Json step_shares(const analysis::PlanetaryDrivetrain& drivetrain) {
   const Duty duty = duty_at(drivetrain, 6000.0, 0.0);
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   Json out;

@@ -4,22 +4,22 @@
 
 #include <cmath>
 
+#include "coupling/analysis/gear_model.hpp"
+#include "coupling/analysis/planet_stiffness.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
-#include "coupling/study/gear_model.hpp"
-#include "coupling/study/planet_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::example {
 
 /// Bodies and meshes of the reducer, as its case states them by default.
-inline gearset::dynamics::SetParameters reducer_gears(const study::PlanetaryDrivetrain& drivetrain) {
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+inline gearset::dynamics::SetParameters reducer_gears(const analysis::PlanetaryDrivetrain& drivetrain) {
+  const analysis::DrivetrainGeometry geometry = analysis::derive(drivetrain);
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
   const gearset::PlanetaryMeshes meshes = gearset::planetary_meshes(
       drivetrain.set, geometry.gears, {}, {},
       gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed));
-  study::GearDynamicsChoice choice;
+  analysis::GearDynamicsChoice choice;
   choice.mesh_damping_ratio = choice.bearing_damping_ratio = 0.05;
   choice.backlash = 100e-6;
   choice.support_damping_ratio = 0.05;
@@ -30,8 +30,8 @@ inline gearset::dynamics::SetParameters reducer_gears(const study::PlanetaryDriv
 }
 
 /// With real meshes, whose stiffness jumps, or with smooth ones.
-inline study::PlanetaryDrivetrain coupled_reducer(bool smooth) {
-  study::PlanetaryDrivetrain drivetrain = reducer();
+inline analysis::PlanetaryDrivetrain coupled_reducer(bool smooth) {
+  analysis::PlanetaryDrivetrain drivetrain = reducer();
   drivetrain.dynamics.race.film_in_approach = true;
   gearset::dynamics::SetParameters gears = reducer_gears(drivetrain);
   if (smooth)

@@ -1,16 +1,15 @@
 // The reducer of [Gai2025] as parameters, for tests that need a whole drivetrain without a case file.
 #pragma once
 
-
-#include "coupling/study/drivetrain.hpp"
+#include "coupling/analysis/drivetrain.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::example {
 
 inline constexpr double rpm = constants::pi / 30.0;  // [rad/s]
 
-inline study::PlanetaryDrivetrain reducer() {
-  study::PlanetaryDrivetrain drivetrain;
+inline analysis::PlanetaryDrivetrain reducer() {
+  analysis::PlanetaryDrivetrain drivetrain;
   drivetrain.set = {.sun_teeth = 37,
                     .planet_teeth = 22,
                     .ring_teeth = 79,

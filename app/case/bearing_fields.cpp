@@ -145,7 +145,7 @@ void add_bearing_type(std::vector<Field>& fields, unsigned models, const Use& us
 
 void add_bearing_fields(std::vector<Field>& fields) {
   add_bearing_type(fields, planetary_drivetrain, Use(analyses_with(Physics::balance), AnalysisId::mesh));
-  study::PlanetaryDrivetrain drivetrain = default_drivetrain();
+  analysis::PlanetaryDrivetrain drivetrain = default_drivetrain();
   add_described(fields, drivetrain.bearing, no_model);
   // All of these but the angle of the first roller: the rollers of a planet pass all positions.
   DescribedFields visit(fields, planetary_drivetrain);

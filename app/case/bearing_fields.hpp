@@ -2,20 +2,20 @@
 // defaults of the fields.
 #pragma once
 
-#include "coupling/study/drivetrain.hpp"
-#include "coupling/study/gear_model.hpp"
+#include "coupling/analysis/drivetrain.hpp"
+#include "coupling/analysis/gear_model.hpp"
 
 namespace orbearing::app {
 
-inline study::PlanetaryDrivetrain default_drivetrain() {
-  study::PlanetaryDrivetrain drivetrain;
+inline analysis::PlanetaryDrivetrain default_drivetrain() {
+  analysis::PlanetaryDrivetrain drivetrain;
   drivetrain.steady_state.observed_windows = 10;
   drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
   return drivetrain;
 }
 
-inline study::GearDynamicsChoice default_gears() {
-  study::GearDynamicsChoice gears;
+inline analysis::GearDynamicsChoice default_gears() {
+  analysis::GearDynamicsChoice gears;
   gears.sun.support_stiffness = 1e8;
   gears.ring.support_stiffness = 1e9;
   gears.carrier.support_stiffness = 5e8;

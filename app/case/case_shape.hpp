@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/case/field_table.hpp"
-#include "coupling/study/set_keys.hpp"
+#include "coupling/analysis/set_keys.hpp"
 
 namespace orbearing::app {
 
@@ -44,7 +44,7 @@ void find_parts(const Entry& root, CaseShape& shape);
 /// Message on a field that a case of that shape cannot have: what was found, what is required.
 ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path);
 
-using study::set_prefix;
+using analysis::set_prefix;
 /// "shafts.NAME"
 std::string shaft_path(std::string_view shaft);
 /// Prefixes of the paths of the sets: one empty prefix in a case of one set.

@@ -136,9 +136,9 @@ class UseRules {
   const analysis::DrivetrainRows rows_;
   const mechanics::MemberKeys<analysis::DrivetrainRows> key_{rows_};
   const analysis::StatedSet& set_ = rows_.set;
-  const study::PlanetaryDrivetrain& planets_ = set_.planets;
+  const analysis::PlanetaryDrivetrain& planets_ = set_.planets;
   const gearset::PlanetarySet& teeth_ = set_.teeth;
-  const study::GearDynamicsChoice& gears_ = set_.gears.choice;
+  const analysis::GearDynamicsChoice& gears_ = set_.gears.choice;
   const bearing::Bearing& bearing_ = planets_.bearing;
   const bearing::motion::RaceContactParameters& race_ = planets_.dynamics.race;
   const bearing::motion::CageParameters& cage_ = planets_.dynamics.cage;
@@ -236,7 +236,7 @@ UseRules::UseRules() {
 }
 
 void UseRules::find_exceptions() {
-  const study::PinSeats& seats = planets_.seats;
+  const analysis::PinSeats& seats = planets_.seats;
   const bearing::PlanetRows& rows = planets_.rows;
   exceptions_ = {
       {of(planets_.run_up.acceleration), quasi_static | coupled_, {}, gears | fmu_gearset},
@@ -385,7 +385,7 @@ Use UseRules::with_carrier(const Use& use, std::string_view path) const {
 // A member that is held does not move, unless a spring holds it.
 Use UseRules::with_held_members(const Use& use, std::string_view path) const {
   using gearset::Member;
-  const std::array<std::pair<Member, const study::GearMemberChoice*>, 3> central{
+  const std::array<std::pair<Member, const analysis::GearMemberChoice*>, 3> central{
       {{Member::sun, &gears_.sun}, {Member::ring, &gears_.ring}, {Member::carrier, &gears_.carrier}}};
   for (const auto& [member, choice] : central) {
     if (path != key_(choice->inertia)) continue;

@@ -2,9 +2,9 @@
 
 #include "bearing/defect/scratch.hpp"
 #include "bearing/design_problems.hpp"
+#include "coupling/analysis/planet_scratch.hpp"
 #include "coupling/analysis/single_bearing.hpp"
 #include "coupling/analysis/stated_drivetrain.hpp"
-#include "coupling/study/planet_scratch.hpp"
 #include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
@@ -117,7 +117,7 @@ InputKeys::InputKeys() {
     scratch_depth = key(of.depth);
     scratched_element = key(of.element);
   });
-  with_keys_of<study::ScratchedPosition>([this](const auto& of, const auto& key) {
+  with_keys_of<analysis::ScratchedPosition>([this](const auto& of, const auto& key) {
     scratched_planet = key(of.planet);
     scratched_bearing = key(of.bearing);
   });

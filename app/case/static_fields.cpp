@@ -12,8 +12,8 @@
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/analysis/planet_rating.hpp"
-#include "coupling/study/planet_scratch.hpp"
-#include "coupling/study/scratch_run.hpp"
+#include "coupling/analysis/planet_scratch.hpp"
+#include "coupling/analysis/scratch_run.hpp"
 #include "mechanics/member_keys.hpp"
 
 namespace orbearing::app::table {
@@ -87,8 +87,8 @@ void add_life(std::vector<Field>& fields) {
 void add_defects(std::vector<Field>& fields) {
   add_described(fields, bearing::defect::Scratch{});
   row_of(fields, keys().scratched).required_by = no_model;  // a drivetrain without a scratch states none
-  add_described(fields, study::ScratchedPosition{});
-  add_described(fields, study::PlanetSampling{});
+  add_described(fields, analysis::ScratchedPosition{});
+  add_described(fields, analysis::PlanetSampling{});
   Rows(fields, planetary_drivetrain)
       .text(std::string(kScratchedSet), "set with the scratched bearing, of several sets",
             Use(AnalysisId::planet_defect, {}));

@@ -79,7 +79,7 @@ bool material_makes_springs(const ResolvedCase& in, std::string_view set) {
   return holds_for(in, set, [&](const StatedSet& of) {
     const bool pins = !states(
         in, set, [](const auto& m) -> const auto& { return m.planets.dynamics.support.stiffness; });
-    return analysis::teeth_make_meshes(of) || of.planets.rim == study::PlanetRim::elastic ||
+    return analysis::teeth_make_meshes(of) || of.planets.rim == analysis::PlanetRim::elastic ||
            (analysis::bearings_make_springs(of) && (pins || of.planets.dynamics.race.film_in_approach));
   });
 }

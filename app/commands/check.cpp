@@ -52,7 +52,7 @@ Checked check(const ResolvedCase& resolved) {
           ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })
           : std::vector<Derived>{};
   if (resolved.model() != planetary_drivetrain) return {own};
-  const std::vector<study::NamedSet> sets = stated_sets(resolved);
+  const std::vector<analysis::NamedSet> sets = stated_sets(resolved);
   Checked checked{derived_quantities(resolved),
                   joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
                          rim_warnings(resolved.without_sweep()), analysis::cage_warnings(sets),

@@ -84,9 +84,9 @@ void present(const ResolvedCase& resolved, const FmuOptions& options, const Outc
 // The output life_used is by the loads alone: the warning compares it with the governing life of the case.
 std::vector<std::string> life_warnings(const ResolvedCase& resolved) try {
   namespace rating = bearing::rating;
-  const study::PointResult point = study::evaluate(bearing_sets(resolved));
-  const rating::Life life = study::governing_life(point);
-  const double governing = study::governing_hours(point);
+  const analysis::PointResult point = analysis::evaluate(bearing_sets(resolved));
+  const rating::Life life = analysis::governing_life(point);
+  const double governing = analysis::governing_hours(point);
   if (life == rating::Life::lundberg_palmgren || !(governing > 0.0)) return {};
   return {fmt::format(
       "life_used: by the life of Lundberg and Palmgren, without oil and profile: {:.5g} h at the case's "

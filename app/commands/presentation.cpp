@@ -23,8 +23,8 @@
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "coupling/analysis/roller_loads.hpp"
-#include "coupling/study/parallel.hpp"
 
 namespace orbearing::app {
 
@@ -109,7 +109,7 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const SweepLimits& limits,
   std::optional<MotionEstimate> estimate;
   if (budgeted || !limits.quiet) estimate = motion_estimate(resolved, plan.request, budgeted);
   if (!estimate) return plan;
-  study::MotionWindows windows = estimate->stated;
+  analysis::MotionWindows windows = estimate->stated;
   if (budgeted) {
     if (std::optional<BudgetedCase> found = within_budget(resolved, *estimate, limits.budget)) {
       plan = {found->resolved, request_of(found->resolved)};
@@ -124,7 +124,7 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const SweepLimits& limits,
   plan.request.announce = [beyond, added = estimate->added.size(), jobs = limits.jobs,
                            one = plan.request.header.continued.has_value() ||
                                  plan.request.points.size() == 1](double seconds, std::size_t missing) {
-    const auto threads = static_cast<int>(study::threads_for(missing + added, one ? 1 : jobs));
+    const auto threads = static_cast<int>(analysis::threads_for(missing + added, one ? 1 : jobs));
     const std::string text = estimate_text(seconds + beyond, missing, added, threads);
     if (!text.empty()) print_to_standard_error("{}\n", text);
   };
@@ -183,7 +183,7 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
       describe(form, rollers);
     }
     if (carrier_is_body(resolved, "")) {
-      const study::CarrierRevolution carrier = carrier_study(resolved);
+      const analysis::CarrierRevolution carrier = carrier_study(resolved);
       Record child;
       for (Record* record : {&child, &form})
         record->child("carrier", "the carrier in three dimensions, over a revolution", carrier);

@@ -23,7 +23,7 @@
 #include "app/results/result_folder.hpp"
 #include "app/study/scratch_case.hpp"
 #include "app/study/sweep_study.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -164,7 +164,7 @@ std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes
 }
 
 // Adds noise of the `number`-th signal. The same for a seed and number, whatever the order of signals.
-void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibration& vibration) {
+void add_noise(const SignalNoise& noise, std::size_t number, analysis::RingVibration& vibration) {
   if (!(noise.rms > 0.0)) return;
   std::seed_seq seed{noise.seed, static_cast<std::uint64_t>(number)};
   std::mt19937_64 chance(seed);
@@ -290,16 +290,16 @@ class SignalSet {
       const std::size_t number = missing[location];
       const ResolvedCase changed = resolved_.with(variants_[number]);
       const SignalNoise noise{options_.noise, options_.seed};
-      const analysis::ScratchedVibration study =
-          scratched_vibration(changed, moving_parts(),
-                              [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
+      const analysis::ScratchedVibration study = scratched_vibration(
+          changed, moving_parts(),
+          [&](analysis::RingVibration& vibration) { add_noise(noise, number, vibration); });
       const std::scoped_lock lock(one_writer);
       labels_[number] = labelled(number, changed, study, noise);
       if (!folder_.path().empty()) keep(number, study);
       progress.show(++done);
     };
     try {
-      study::in_parallel(missing.size(), options_.jobs, one);
+      analysis::in_parallel(missing.size(), options_.jobs, one);
     } catch (const Cancelled&) {
       throw Interrupted(fmt::format(
           "signals: interrupted with {} of {} signals done; {}", done, variants_.size(),

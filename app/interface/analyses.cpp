@@ -39,7 +39,7 @@ Warned<OperatingPoint> point_of(const Case& drivetrain, Fidelity fidelity) {
   const app::ResolvedCase in = drivetrain.content().without_sweep();
   app::require_computable(in, name_of(fidelity), false);
   app::SweepRequest request = app::sweep_request(in, name_of(fidelity));
-  study::PointResult point;
+  analysis::PointResult point;
   request.point_files = false;
   request.evaluate = [&point, compute = request.evaluate](std::size_t index) {
     return point = compute(index);

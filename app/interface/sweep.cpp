@@ -12,7 +12,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
 #include "app/study/sweep_study.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 
 namespace orbearing {
 
@@ -41,14 +41,14 @@ void require_varied(const app::ResolvedCase& point, const std::vector<std::strin
   if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
-study::PointResult point_with(const app::ResolvedCase& point, const std::vector<app::Setting>& settings,
-                              study::Fidelity level) {
-  study::PointResult result;
+analysis::PointResult point_with(const app::ResolvedCase& point, const std::vector<app::Setting>& settings,
+                                 analysis::Fidelity level) {
+  analysis::PointResult result;
   try {
     const app::ResolvedCase variant = point.with(settings);
     result.input_speed = variant.quantity(app::keys().speed);
-    const std::vector<study::NamedSet> sets = app::bearing_sets(variant);
-    result = app::judged(study::evaluate(sets, level), sets);
+    const std::vector<analysis::NamedSet> sets = app::bearing_sets(variant);
+    result = app::judged(analysis::evaluate(sets, level), sets);
   } catch (const std::exception& error) {
     result.status = error.what();
   }
@@ -85,7 +85,7 @@ Points evaluate(const Case& stated, const std::vector<std::string>& paths, const
                 const std::string& fidelity, int jobs, const std::function<void(std::size_t)>& done,
                 WithoutEffect without_effect) {
   const app::ResolvedCase point = stated.content().without_sweep();
-  const study::Fidelity level = app::fidelity_of(fidelity);
+  const analysis::Fidelity level = app::fidelity_of(fidelity);
   require_varied(point, paths, values.size());
   app::sweep_request(point, fidelity);  // refuses what has no operating points
   app::require_computable(point, fidelity, false);
@@ -95,7 +95,7 @@ Points evaluate(const Case& stated, const std::vector<std::string>& paths, const
   std::vector<app::SweepRow> rows(values.size() / paths.size());
   std::mutex telling;
   std::size_t finished = 0;
-  study::in_parallel(rows.size(), jobs, [&](std::size_t index) {
+  analysis::in_parallel(rows.size(), jobs, [&](std::size_t index) {
     std::vector<app::Setting> settings;
     for (std::size_t i = 0; i < paths.size(); ++i)
       settings.push_back({paths[i], "", values[index * paths.size() + i]});

@@ -9,7 +9,7 @@
 #include "app/case/case_file.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/table_study.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "orbearing/sweep.hpp"
 #include "orbearing/version.hpp"
 
@@ -104,11 +104,11 @@ TableAnswers Table::answers(const std::string& name, const std::vector<double>& 
   TableAnswers answers{
       std::vector<double>(count), std::vector<double>(count), std::vector<char>(count, 0), {}};
   constexpr std::size_t together = 4096;  // queries of a task
-  study::in_parallel((count + together - 1) / together, query.jobs, [&](std::size_t task) {
+  analysis::in_parallel((count + together - 1) / together, query.jobs, [&](std::size_t task) {
     for (std::size_t n = task * together; n < std::min(count, (task + 1) * together); ++n) {
-      study::TablePoint point{};
+      analysis::TablePoint point{};
       for (std::size_t i = 0; i < inputs; ++i) point[i] = coordinates[i](values[n * inputs + i]);
-      const study::TableValue at = table.table.at(point, result);
+      const analysis::TableValue at = table.table.at(point, result);
       answers.values[n] = found->value(at.value);
       answers.errors[n] = found->error(answers.values[n], at.error);
       answers.computed[n] = at.error <= largest ? 0 : 1;

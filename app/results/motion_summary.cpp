@@ -28,7 +28,7 @@ std::string cause_of(std::string_view column) {
 }
 
 // Power losses by cause [W], the largest first.
-std::vector<std::pair<double, std::string>> losses_of(study::PointRow point) {
+std::vector<std::pair<double, std::string>> losses_of(analysis::PointRow point) {
   std::vector<std::pair<double, std::string>> losses;
   described::Columns columns([&](std::string_view name, const described::Dimension&, double& value) {
     if (name.starts_with(kLossOf) && name != "power_loss_W" && value != 0.0 && std::isfinite(value))
@@ -40,15 +40,15 @@ std::vector<std::pair<double, std::string>> losses_of(study::PointRow point) {
   return losses;
 }
 
-std::string slip_text(const study::PointRow& point) {
-  const double rollers = point.motion ? point.motion->roller_slip : study::PointRow::kNone;
+std::string slip_text(const analysis::PointRow& point) {
+  const double rollers = point.motion ? point.motion->roller_slip : analysis::PointRow::kNone;
   std::vector<std::string> slips;
   for (const auto& [slip, what] : {std::pair{point.cage_slip, "cage"}, std::pair{rollers, "rollers"}})
     if (std::isfinite(slip)) slips.push_back(fmt::format("{} {:.3g} %", what, kPercent * slip));
   return slips.empty() ? "" : fmt::format("slip: {}\n", fmt::join(slips, ", "));
 }
 
-std::string loss_text(const study::PointRow& point) {
+std::string loss_text(const analysis::PointRow& point) {
   if (!std::isfinite(point.power_loss)) return "";
   std::vector<std::string> causes;
   for (const auto& [loss, cause] : losses_of(point)) causes.push_back(fmt::format("{} {:.3g}", cause, loss));
@@ -57,14 +57,14 @@ std::string loss_text(const study::PointRow& point) {
 
 }  // namespace
 
-std::optional<SkidRisk> skid_risk_of(const study::PointNumbers& point, double minimum_load) {
+std::optional<SkidRisk> skid_risk_of(const analysis::PointNumbers& point, double minimum_load) {
   SkidRisk risk{std::numeric_limits<double>::infinity(), minimum_load};
   const auto take = [&](const bearing::rating::RatingLives& lives) {
     risk.load_ratio = std::min(risk.load_ratio, lives.dynamic_load / lives.dynamic_capacity);
     return !std::isnan(lives.dynamic_load / lives.dynamic_capacity);
   };
   if (point.sets.empty() && !take(point.rating.lives)) return std::nullopt;
-  for (const study::SetResult& set : point.sets)
+  for (const analysis::SetResult& set : point.sets)
     if (!take(set.rating.lives)) return std::nullopt;
   return risk;
 }
@@ -78,7 +78,7 @@ void describe(described::Record& record, const SkidRisk& risk) {
   record.value("minimum_load", ratio, "P/C below which rolling elements may skid", risk.minimum_load);
 }
 
-std::string motion_summary_text(const study::PointRow& point, const std::optional<SkidRisk>& risk) {
+std::string motion_summary_text(const analysis::PointRow& point, const std::optional<SkidRisk>& risk) {
   if (!is_computed(point.status)) return "";
   std::string text = point.sets.empty() ? slip_text(point) + loss_text(point) : "";
   if (risk)

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/results/record_writers.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -21,12 +21,12 @@ struct SkidRisk {
 };
 
 /// Skid risk of the point's bearing, of several sets of the least loaded one; none where a load is not known.
-std::optional<SkidRisk> skid_risk_of(const study::PointNumbers& point, double minimum_load = kMinimumLoad);
+std::optional<SkidRisk> skid_risk_of(const analysis::PointNumbers& point, double minimum_load = kMinimumLoad);
 
 void describe(described::Record& record, const SkidRisk& risk);
 
 /// Lines for terminals: slip of cage and rollers, power loss by cause (of a single set, where the row has
 /// them), skid risk. Empty of a point that failed.
-std::string motion_summary_text(const study::PointRow& point, const std::optional<SkidRisk>& risk);
+std::string motion_summary_text(const analysis::PointRow& point, const std::optional<SkidRisk>& risk);
 
 }  // namespace orbearing::app

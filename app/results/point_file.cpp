@@ -74,10 +74,11 @@ std::string variable_name(std::string column) {
 }
 
 // A failed point has results of no set.
-void describe_sets(Record& record, const std::vector<std::string>& names, const study::PointResult& result) {
+void describe_sets(Record& record, const std::vector<std::string>& names,
+                   const analysis::PointResult& result) {
   record.child("sets", "each by itself", result.sets, [&](Record& sets, const auto& results) {
     for (std::size_t i = 0; i < names.size(); ++i)
-      sets.child(names[i], "one of several sets", i < results.size() ? results[i] : study::SetResult{});
+      sets.child(names[i], "one of several sets", i < results.size() ? results[i] : analysis::SetResult{});
   });
 }
 
@@ -103,7 +104,7 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
 }
 
 PointContent point_content(const ManifestHeader& header, std::size_t point,
-                           const std::vector<double>& axis_values, const study::PointResult& result) {
+                           const std::vector<double>& axis_values, const analysis::PointResult& result) {
   Record record = record_of(result);
   if (!header.sets.empty()) describe_sets(record, header.sets, result);
   PointContent content = content_of(record);
@@ -147,7 +148,7 @@ std::vector<double> read_final_state(const std::filesystem::path& file) {
   int dimension = 0;
   std::size_t size = 0;
   std::vector<double> state;
-  if (nc_inq_varid(number, study::kFinalState, &variable) == NC_NOERR &&
+  if (nc_inq_varid(number, analysis::kFinalState, &variable) == NC_NOERR &&
       nc_inq_vardimid(number, variable, &dimension) == NC_NOERR &&
       nc_inq_dimlen(number, dimension, &size) == NC_NOERR) {
     state.resize(size);

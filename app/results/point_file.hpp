@@ -9,7 +9,7 @@
 
 #include "app/results/manifest.hpp"
 #include "app/results/record_writers.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
 /// Scalars of the table in SI, the loads by place, the axes in their unit. A failed point keeps its speed,
 /// its axes and its status.
 PointContent point_content(const ManifestHeader& header, std::size_t point,
-                           const std::vector<double>& axis_values, const study::PointResult& result);
+                           const std::vector<double>& axis_values, const analysis::PointResult& result);
 
 /// Appends the position of the point in its sweep: added around the peak or not, and its nearest resonance
 /// where one is known.

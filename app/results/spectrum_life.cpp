@@ -26,7 +26,7 @@ constexpr double infinite_life = std::numeric_limits<double>::infinity();
 
 /// A life in the rows of bins. Where `beside` has no number either, a point that was computed carries no load
 /// and lives for ever; else the life is not known, as by film and cleanliness without an oil.
-using LifeInRow = std::function<double(const study::PointRow& point)>;
+using LifeInRow = std::function<double(const analysis::PointRow& point)>;
 
 struct LifeColumn {
   std::string name;
@@ -43,12 +43,12 @@ struct Hours {
   double lundberg_palmgren = not_given;
   bearing::rating::RatedHours rated{};
 };
-using HoursInRow = std::function<Hours(const study::PointRow& point)>;
+using HoursInRow = std::function<Hours(const analysis::PointRow& point)>;
 
 // The life in the place `k` of kHours.
 LifeInRow life_at(std::size_t k, const HoursInRow& hours) {
   if (!hours) return {};
-  return [k, hours](const study::PointRow& point) {
+  return [k, hours](const analysis::PointRow& point) {
     const Hours all = hours(point);
     return k == 0 ? all.lundberg_palmgren : all.rated.*bearing::rating::kRatedHours[k - 1];
   };
@@ -63,7 +63,7 @@ struct ColumnsOfHours {
 };
 
 std::vector<ColumnsOfHours> hours_of_point() {
-  using study::PointRow;
+  using analysis::PointRow;
   const HoursInRow own = [](const PointRow& point) { return Hours{point.life_hours, point.rating.hours}; };
   const HoursInRow system = [](const PointRow& point) {
     return Hours{point.system_life_hours, point.rating.system_hours};
@@ -81,10 +81,10 @@ std::vector<ColumnsOfHours> hours_of_point() {
 }
 
 std::vector<ColumnsOfHours> hours_of_set(const std::string& name, std::size_t i) {
-  const HoursInRow own = [i](const study::PointRow& point) {
+  const HoursInRow own = [i](const analysis::PointRow& point) {
     return Hours{point.sets[i].life_hours, point.sets[i].rating.hours};
   };
-  const HoursInRow shortest = [i](const study::PointRow& point) {
+  const HoursInRow shortest = [i](const analysis::PointRow& point) {
     return Hours{point.sets[i].unlike.shortest_hours, point.sets[i].unlike.shortest_rated};
   };
   return {{column_prefix(name), own, own}, {column_prefix(name) + "shortest_", shortest, own, own}};
@@ -98,7 +98,7 @@ void add_hours(const std::vector<ColumnsOfHours>& all, std::vector<LifeColumn>& 
 }
 
 void add_revolutions(std::vector<LifeColumn>& columns) {
-  using study::PointRow;
+  using analysis::PointRow;
   const auto in_millions = [](const LifeInRow& life) {
     return [life](const PointRow& point) {
       return in_customary_unit(described::dimension::revolutions, life(point));

@@ -36,10 +36,10 @@ void round_as_shown(std::string_view, const Dimension& dimension, double& value)
 }
 
 // Each set of the header has results, those that are missing without a number.
-void complete_sets(const ManifestHeader& header, study::PointRow& point) {
+void complete_sets(const ManifestHeader& header, analysis::PointRow& point) {
   for (std::size_t i = point.sets.size(); i < header.sets.size(); ++i) {
     Columns unknown(forget);
-    list(unknown, point.sets.emplace_back(study::SetResult{.set = header.sets[i]}));
+    list(unknown, point.sets.emplace_back(analysis::SetResult{.set = header.sets[i]}));
   }
 }
 
@@ -76,11 +76,11 @@ void describe(Record& record, const Resonance& resonance) {
   described::describe_listed(record, resonance);
 }
 
-SweepRow sweep_row(const study::PointResult& result, const ManifestHeader& header, std::vector<double> axes,
-                   const std::optional<Resonance>& resonance) {
+SweepRow sweep_row(const analysis::PointResult& result, const ManifestHeader& header,
+                   std::vector<double> axes, const std::optional<Resonance>& resonance) {
   SweepRow row;
   if (is_computed(result.status)) {
-    row.point = study::row_of(result);
+    row.point = analysis::row_of(result);
     complete_sets(header, row.point);
   } else {
     row = empty_row(header);
@@ -107,7 +107,7 @@ SweepRow row_of_numbers(const std::vector<std::pair<std::string, double>>& value
   return row;
 }
 
-double governing_hours(const ManifestHeader& header, const study::PointNumbers& point) {
+double governing_hours(const ManifestHeader& header, const analysis::PointNumbers& point) {
   return governing_hours(header, point.life_hours, point.rating.hours);
 }
 
@@ -195,7 +195,7 @@ nlohmann::ordered_json row_json(const ManifestHeader& header, const SweepRow& ro
   Record record = record_of(header, row);
   if (!row.point.planets.empty())
     record.table("planets", "planet", "planets one by one, where they carry unlike loads", row.point.planets,
-                 described::describe_listed<study::PlanetResult>);
+                 described::describe_listed<analysis::PlanetResult>);
   return json_of(record);
 }
 

@@ -14,8 +14,8 @@
 
 #include "app/results/manifest_header.hpp"
 #include "app/results/record_writers.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "coupling/analysis/plausible_values.hpp"
-#include "coupling/study/operating_point.hpp"
 #include "mechanics/columns.hpp"
 
 namespace orbearing::app {
@@ -52,7 +52,7 @@ void list(described::Columns& columns, Resonance& resonance);
 void describe(described::Record& record, const Resonance& resonance);
 
 struct SweepRow {
-  study::PointRow point;                 // of a point that failed: its speed and status
+  analysis::PointRow point;              // of a point that failed: its speed and status
   std::vector<double> axes{};            // one per header.axes, in its unit
   std::optional<Resonance> resonance{};  // the nearest, where header.resonances
   bool refined = false;                  // added to the grid around the peak
@@ -60,7 +60,7 @@ struct SweepRow {
 };
 
 /// The row of a point. With several sets it has results of each.
-SweepRow sweep_row(const study::PointResult& result, const ManifestHeader& header,
+SweepRow sweep_row(const analysis::PointResult& result, const ManifestHeader& header,
                    std::vector<double> axes = {}, const std::optional<Resonance>& resonance = {});
 
 /// The row that has these values [in the columns' units] by their names, and no others.
@@ -68,7 +68,7 @@ SweepRow row_of_numbers(const std::vector<std::pair<std::string, double>>& value
                         const ManifestHeader& header);
 
 /// The life of one bearing that results go by [h]; not a number where the row has none.
-double governing_hours(const ManifestHeader& header, const study::PointNumbers& point);
+double governing_hours(const ManifestHeader& header, const analysis::PointNumbers& point);
 /// The same of a bearing with these lives [h].
 double governing_hours(const ManifestHeader& header, double life_hours,
                        const bearing::rating::RatedHours& rated);

@@ -12,7 +12,7 @@
 #include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -47,9 +47,9 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
 }
 
 /// A failed point keeps the speed that was requested and nothing else. A cancelled point has not failed.
-study::PointResult evaluate_with_speed(const SweepPoint& point,
-                                       const std::function<study::PointResult()>& evaluate) {
-  study::PointResult result;
+analysis::PointResult evaluate_with_speed(const SweepPoint& point,
+                                          const std::function<analysis::PointResult()>& evaluate) {
+  analysis::PointResult result;
   try {
     result = evaluate();
   } catch (const std::exception& error) {
@@ -60,7 +60,7 @@ study::PointResult evaluate_with_speed(const SweepPoint& point,
 }
 
 FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& asked,
-                             study::ComputedPoint computed) {
+                             analysis::ComputedPoint computed) {
   const bool refined = request.header.adds(computed.index);
   std::optional<Resonance> resonance;
   if (request.header.resonances) resonance = request.resonance_of(asked);
@@ -88,7 +88,7 @@ void keep(const SweepRequest& request, std::vector<FinishedPoint> points, Result
 struct Work {
   std::vector<std::size_t> missing;                        // their numbers
   std::function<const SweepPoint&(std::size_t)> point_of;  // by number
-  std::function<study::PointResult(std::size_t, const SweepPoint&)> evaluate;
+  std::function<analysis::PointResult(std::size_t, const SweepPoint&)> evaluate;
   std::string doing;  // begins the line of progress; empty: the grid
 };
 
@@ -105,9 +105,9 @@ void compute(const SweepRequest& request, const Work& work, ResultFolder& folder
   Progress progress(before, before + work.missing.size(), !request.quiet, work.doing);
   const double all = work_of(request, work.missing);  // [s]
   double done = 0.0;                                  // [s]
-  const auto deliver = [&](std::vector<study::ComputedPoint> computed) {
+  const auto deliver = [&](std::vector<analysis::ComputedPoint> computed) {
     std::vector<FinishedPoint> points;
-    for (study::ComputedPoint& point : computed) {
+    for (analysis::ComputedPoint& point : computed) {
       done += work_of(request, {point.index});
       points.push_back(finished_point(request, work.point_of(point.index), std::move(point)));
     }
@@ -119,7 +119,7 @@ void compute(const SweepRequest& request, const Work& work, ResultFolder& folder
     return evaluate_with_speed(point, [&] { return work.evaluate(index, point); });
   };
   try {
-    study::compute_points(work.missing, request.jobs, evaluate, deliver);
+    analysis::compute_points(work.missing, request.jobs, evaluate, deliver);
   } catch (const Cancelled&) {
     // run_sweep() then reports missing points.
   }
@@ -200,7 +200,7 @@ class ContinuationPath {
   void compute(std::size_t point) {
     if (!last_.empty()) state_ = stored_state(std::exchange(last_, {}));
     const SweepPoint& asked = request_.points[point];
-    study::PointResult result =
+    analysis::PointResult result =
         evaluate_with_speed(asked, [&] { return request_.evaluate_from(point, state_); });
     // A failed point has no state to continue from: the next one starts where the failed one did.
     if (is_computed(result.status) && result.dynamic) state_ = result.dynamic->final_state;
@@ -322,17 +322,17 @@ void describe(Record& record, const LifePeak& peak) {
 
 Record sweep_form(const LifePeak& peak) {
   Record record;
-  study::PointResult form;
+  analysis::PointResult form;
   form.planets.resize(1);
   record.table("points", "point", "operating points", std::array{form},
-               [](Record& row, const study::PointResult& point) {
-                 study::describe_row(row, point);
+               [](Record& row, const analysis::PointResult& point) {
+                 analysis::describe_row(row, point);
                  row.value(refined_column, "whether it was added around the peak", false);
                  row.value(limiting_set_column, "of several sets, the one with the worst bearing",
                            point.limiting_set);
                  describe(row, Resonance{});
                  row.table("planets", "planet", "planets one by one, where they carry unlike loads",
-                           point.planets, described::describe_listed<study::PlanetResult>);
+                           point.planets, described::describe_listed<analysis::PlanetResult>);
                });
   record.child("peak", "longest life over speed", peak);
   return record;

@@ -42,7 +42,7 @@ struct Refinement {
   /// only on the rows, so that a resumed sweep requests the same points.
   std::function<std::vector<SweepPoint>(const std::vector<SweepRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
-  std::function<study::PointResult(const SweepPoint& point)> evaluate;
+  std::function<analysis::PointResult(const SweepPoint& point)> evaluate;
   std::string of{"peak"};  // what is refined, in the line of progress
 };
 
@@ -51,10 +51,10 @@ struct SweepRequest {
   std::string resolved_case;       // text of case.resolved.yaml
   std::vector<SweepPoint> points;  // all of the sweep, in order; the shard picks its own
   /// Computes a point. Called from several threads at once; an exception becomes the row's status.
-  std::function<study::PointResult(std::size_t point)> evaluate;
+  std::function<analysis::PointResult(std::size_t point)> evaluate;
   /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
   /// its own start where `start` is empty. Called from one thread.
-  std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
+  std::function<analysis::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
   /// Nearest resonance of a point; called for every point where header.resonances, on one thread.
   std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`

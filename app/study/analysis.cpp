@@ -55,7 +55,7 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const AnalysisOptions&
     throw BadInput(in.file() +
                    ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "
                    "orbearing modes shows the natural frequencies of a set without");
-  const study::GearRunResult run = study::run_gears(model, gear_run_options(in));
+  const analysis::GearRunResult run = analysis::run_gears(model, gear_run_options(in));
   if (!run.completed) throw ComputationFailed(in.text("name") + ": " + run.message);
   AnalysisResult result{.warnings = gear_dynamics_warnings(in)};
   describe(result.record, run);
@@ -71,7 +71,8 @@ double time_of_planet_signal(const ResolvedCase& in) {
 }
 
 std::vector<Derived> scratched_set_quantities(const ResolvedCase& in) {
-  const analysis::ScratchedSetQuantities quantities{study::planet_frequencies(scratched_drivetrain_of(in))};
+  const analysis::ScratchedSetQuantities quantities{
+      analysis::planet_frequencies(scratched_drivetrain_of(in))};
   return derived_rows(record_of(quantities), "defect.");
 }
 

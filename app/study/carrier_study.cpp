@@ -37,14 +37,14 @@ void require_carrier(const ResolvedCase& in) {
     throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 
-study::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
+analysis::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
   require_carrier(resolved);
-  const study::NamedSet set = bearing_sets(resolved).front();
+  const analysis::NamedSet set = bearing_sets(resolved).front();
   if (!set.drivetrain.carrier_mounting)
     throw std::logic_error("carrier_study: of a case whose inputs were not asked for, require_used()");
   try {
     return refused_as_input(resolved,
-                            [&] { return study::carrier_revolution(set.drivetrain, set.geometry); });
+                            [&] { return analysis::carrier_revolution(set.drivetrain, set.geometry); });
   } catch (const BadInput&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -53,7 +53,7 @@ study::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
 }
 
 void describe_spatial_modes(described::Record& record, const ResolvedCase& resolved) {
-  const study::NamedSet set = bearing_sets(resolved).front();
+  const analysis::NamedSet set = bearing_sets(resolved).front();
   describe(record, refused_as_input(resolved, [&] { return analysis::spatial_modes(set); }));
 }
 

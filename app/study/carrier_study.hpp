@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/study/carrier_revolution.hpp"
+#include "coupling/analysis/carrier_revolution.hpp"
 
 namespace orbearing::app {
 
@@ -13,7 +13,7 @@ void require_carrier(const ResolvedCase& resolved);
 
 /// Results of a case that meets require_carrier(). Throws BadInput where lists do not fit together,
 /// ComputationFailed where no equilibrium is found.
-study::CarrierRevolution carrier_study(const ResolvedCase& resolved);
+analysis::CarrierRevolution carrier_study(const ResolvedCase& resolved);
 
 /// Natural frequencies, without rotation, of a case in which carrier_is_body().
 void describe_spatial_modes(described::Record& record, const ResolvedCase& resolved);

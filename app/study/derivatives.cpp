@@ -21,8 +21,8 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/multi_stage.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/multi_stage.hpp"
+#include "coupling/analysis/parallel.hpp"
 
 namespace orbearing::app {
 
@@ -38,9 +38,9 @@ struct Run {
 };
 
 // The row of its one point.
-Json drivetrain_point(const ResolvedCase& in, study::Fidelity fidelity) {
+Json drivetrain_point(const ResolvedCase& in, analysis::Fidelity fidelity) {
   const ManifestHeader header{.sets = bearing_set_names(in)};
-  return row_json(header, sweep_row(study::evaluate(bearing_sets(in), fidelity), header));
+  return row_json(header, sweep_row(analysis::evaluate(bearing_sets(in), fidelity), header));
 }
 
 bool is_of_planet_bearings(const ResolvedCase& in) {
@@ -49,7 +49,7 @@ bool is_of_planet_bearings(const ResolvedCase& in) {
 
 Run run_of_drivetrain(const ResolvedCase& in, const std::string& fidelity) {
   require_computable(in, fidelity, false);
-  const study::Fidelity level = fidelity_of(fidelity);
+  const analysis::Fidelity level = fidelity_of(fidelity);
   return {rung_of(in, fidelity), in_time(level) ? scatter::in_motion : scatter::at_rest,
           [level](const ResolvedCase& changed) { return drivetrain_point(changed, level); }};
 }
@@ -265,7 +265,7 @@ void compute(std::vector<Candidate>& candidates, const ScalarResult& result,
   std::mutex telling;
   std::size_t done = 0;
   if (options.progress) options.progress(done, runs.size());
-  study::in_parallel(runs.size(), options.jobs, [&](std::size_t run) {
+  analysis::in_parallel(runs.size(), options.jobs, [&](std::size_t run) {
     auto [pair, i] = runs[run];
     std::string failure;
     try {

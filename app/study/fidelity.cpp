@@ -15,12 +15,12 @@ const std::vector<std::string>& fidelity_names() {
   return names;
 }
 
-study::Fidelity fidelity_of(const std::string& name) {
+analysis::Fidelity fidelity_of(const std::string& name) {
   const std::vector<std::string>& names = fidelity_names();  // in the order of the rungs
   const auto found = std::ranges::find(names, name);
   if (found == names.end())
     throw BadInput(fmt::format("fidelity: found '{}'; required: {}", name, fmt::join(names, ", ")));
-  return static_cast<study::Fidelity>(found - names.begin());
+  return static_cast<analysis::Fidelity>(found - names.begin());
 }
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -13,16 +13,16 @@ namespace orbearing::app {
 const std::vector<std::string>& fidelity_names();
 
 /// The rung called `name`. @throws std::out_of_range for any other name
-study::Fidelity fidelity_of(const std::string& name);  // throws BadInput for another name
+analysis::Fidelity fidelity_of(const std::string& name);  // throws BadInput for another name
 
 /// Whether the bearing moves in time.
-inline bool in_time(study::Fidelity fidelity) {
-  return fidelity != study::Fidelity::quasi_static;
+inline bool in_time(analysis::Fidelity fidelity) {
+  return fidelity != analysis::Fidelity::quasi_static;
 }
 
 /// Whether the bearings act back on the gears.
-inline bool is_coupled(study::Fidelity fidelity) {
-  return fidelity == study::Fidelity::co_simulated || fidelity == study::Fidelity::monolithic;
+inline bool is_coupled(analysis::Fidelity fidelity) {
+  return fidelity == analysis::Fidelity::co_simulated || fidelity == analysis::Fidelity::monolithic;
 }
 
 // Inputs of a case that a computation includes.

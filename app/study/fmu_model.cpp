@@ -14,10 +14,10 @@
 #include "app/standard_error.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
+#include "coupling/analysis/driven_setups.hpp"
 #include "coupling/fmu/export/description.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
-#include "coupling/study/driven_setups.hpp"
 #include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::app {
@@ -36,10 +36,10 @@ void require_drivable_set(const ResolvedCase& in) {
 }
 
 system::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  system::DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
+  const analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const analysis::DrivetrainGeometry geometry = analysis::derive(drivetrain);
+  const analysis::BearingDuty duty = analysis::bearing_duty(drivetrain, geometry);
+  system::DrivenBearingSetup setup = analysis::driven_bearing_setup(drivetrain, geometry);
   setup.planet_speed = duty.point.outer_speed;
   setup.carrier_speed = duty.point.carrier.speed;
   setup.start_load = duty.point.bore_load;
@@ -50,7 +50,7 @@ system::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
 system::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
   const gearset::dynamics::SetModel set = moving_gears_of(in);
   if (in.shape().bearing) {
-    system::DrivenGearsSetup setup = study::driven_gears_setup(drivetrain_of(in));
+    system::DrivenGearsSetup setup = analysis::driven_gears_setup(drivetrain_of(in));
     setup.operation.run_up = set.operation.run_up;
     return setup;
   }

@@ -46,19 +46,21 @@ auto of_sound_gears(const ResolvedCase& in, const Compute& compute) {
   }
 }
 
-study::PlanetaryDrivetrain single_set(const analysis::StatedDrivetrain& stated) {
+analysis::PlanetaryDrivetrain single_set(const analysis::StatedDrivetrain& stated) {
   return drivetrain_of(stated.single(), drive_of(stated));
 }
 
 }  // namespace
 
-study::PlanetaryDrivetrain with_sound_gears(const ResolvedCase& in, study::PlanetaryDrivetrain drivetrain) {
+analysis::PlanetaryDrivetrain with_sound_gears(const ResolvedCase& in,
+                                               analysis::PlanetaryDrivetrain drivetrain) {
   if (drivetrain.gear_set)
     drivetrain.gear_set = [in, built = std::move(drivetrain.gear_set)] { return of_sound_gears(in, built); };
   return drivetrain;
 }
 
-study::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& in, study::PlanetaryDrivetrain drivetrain) {
+analysis::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& in,
+                                                 analysis::PlanetaryDrivetrain drivetrain) {
   if (drivetrain.gear_set)
     drivetrain.gear_set = [in, built = std::move(drivetrain.gear_set)] {
       require_known_springs(in);
@@ -71,11 +73,11 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& in, double carrier
   require_one_set(in);
   const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   const analysis::StatedSet& set = stated.single();
-  if (!in.shape().teeth) return study::toothless_model(set.teeth, set.gears.choice, carrier_speed);
+  if (!in.shape().teeth) return analysis::toothless_model(set.teeth, set.gears.choice, carrier_speed);
   require_known_springs(in);
-  const study::PlanetaryDrivetrain drivetrain = single_set(stated);
+  const analysis::PlanetaryDrivetrain drivetrain = single_set(stated);
   return of_sound_gears(
-      in, [&] { return study::gear_model(drivetrain, study::geometry_of(drivetrain), set.gears); });
+      in, [&] { return analysis::gear_model(drivetrain, analysis::geometry_of(drivetrain), set.gears); });
 }
 
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& in) {
@@ -83,8 +85,8 @@ gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& in) {
   return in.shape().teeth && !in.flag(keys().mesh_variation) ? gearset::dynamics::averaged(model) : model;
 }
 
-study::GearRunOptions gear_run_options(const ResolvedCase& in) {
-  return study::gear_run_options(machine_of<study::GearRunPeriods>(in));
+analysis::GearRunOptions gear_run_options(const ResolvedCase& in) {
+  return analysis::gear_run_options(machine_of<analysis::GearRunPeriods>(in));
 }
 
 std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& in) {
@@ -106,7 +108,7 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& in) {
   for (std::string& text : planar_warnings(in)) texts.push_back(std::move(text));
   if (!in.shape().teeth) return texts;
   const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
-  for (const gearset::Warning& warning : study::mesh_warnings(single_set(stated), stated.single().gears))
+  for (const gearset::Warning& warning : analysis::mesh_warnings(single_set(stated), stated.single().gears))
     texts.push_back(warning.key + ": " + warning.text);
   return texts;
 }

@@ -6,7 +6,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "coupling/analysis/gear_modes.hpp"
-#include "coupling/study/set_gears.hpp"
+#include "coupling/analysis/set_gears.hpp"
 
 namespace orbearing::app {
 
@@ -19,17 +19,17 @@ using analysis::ModeStudy;
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved, double carrier_speed = 0.0);
 
 /// The drivetrain, whose gears throw BadInput where one has no body under its teeth.
-study::PlanetaryDrivetrain with_sound_gears(const ResolvedCase& resolved,
-                                            study::PlanetaryDrivetrain drivetrain);
+analysis::PlanetaryDrivetrain with_sound_gears(const ResolvedCase& resolved,
+                                               analysis::PlanetaryDrivetrain drivetrain);
 /// The same; they throw it for another bearing than cylindrical rollers as well, whose springs are not known.
-study::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& resolved,
-                                              study::PlanetaryDrivetrain drivetrain);
+analysis::PlanetaryDrivetrain with_refused_gears(const ResolvedCase& resolved,
+                                                 analysis::PlanetaryDrivetrain drivetrain);
 
 /// As they move in time: their meshes keep the mean stiffness where the case has no mesh variation.
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& resolved);
 
 /// How a run in time is settled and observed.
-study::GearRunOptions gear_run_options(const ResolvedCase& resolved);
+analysis::GearRunOptions gear_run_options(const ResolvedCase& resolved);
 
 /// Masses, inertias and stiffnesses as the model has them, for `orbearing check`.
 std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved);

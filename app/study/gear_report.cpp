@@ -16,7 +16,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/units.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/working_geometry.hpp"
 #include "mechanics/constants.hpp"
@@ -110,12 +110,12 @@ struct SpeedPoint {
   double rpm = 0.0;  // [rpm]
   diagnosis::ModesAtSpeed modes;
   std::string status = "ok";
-  study::GearRunResult run;
+  analysis::GearRunResult run;
 };
 
 SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_periods) {
   const SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
-  study::GearRunOptions options = gear_run_options(resolved);
+  analysis::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
   SpeedPoint point{.rpm = rpm, .modes = diagnosis::named_modes_at(rpm * kRadiansPerSecond, model)};
   point.run = run_gears(model, options);
@@ -125,9 +125,9 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
 
 std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std::vector<double>& rpm) {
   std::vector<SpeedPoint> points(rpm.size());
-  study::in_parallel(rpm.size(), 0, [&](std::size_t i) {
+  analysis::in_parallel(rpm.size(), 0, [&](std::size_t i) {
     try {
-      points[i] = computed_point(resolved, rpm[i], study::GearRunOptions{}.series_periods);
+      points[i] = computed_point(resolved, rpm[i], analysis::GearRunOptions{}.series_periods);
     } catch (const std::exception& error) {
       points[i] = {.rpm = rpm[i], .status = error.what()};
     }
@@ -202,7 +202,7 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
       {"speed_rpm", rpm}, {"status", point.status}, {"mesh_frequency_Hz", point.modes.mesh_frequency}};
   if (!point.run.completed) return result;
   result["periods"] = std::min(kSpectrumPeriods, gear_run_options(resolved).observed_periods);
-  const study::GearSeries& series = point.run.series;
+  const analysis::GearSeries& series = point.run.series;
   result["time_s"] = std::vector<double>(series.time.begin(), series.time.end());
   for (const double load : series.tangential_force.row(0)) result["load_N"].push_back(load);
   return result;

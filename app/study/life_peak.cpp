@@ -119,7 +119,8 @@ LifeTable table_at(const SweepOutcome& outcome, const SweepRow& row, const Resol
 }
 
 // Result of the worst planet bearing, where the carrier is a body.
-std::string carrier_text(const ManifestHeader& header, const std::optional<study::CarrierNumbers>& carrier) {
+std::string carrier_text(const ManifestHeader& header,
+                         const std::optional<analysis::CarrierNumbers>& carrier) {
   if (!carrier) return "";
   return fmt::format(
       "worst planet bearing over a revolution of the carrier: {:.4g} of the load shared evenly, {} {:.6g} "
@@ -171,7 +172,7 @@ void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
   const std::vector<double> speeds = speeds_rpm(resolved);
   const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
   if (*low == *high) return;
-  const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
+  const analysis::Fidelity fidelity = fidelity_of(request.header.fidelity);
   const bool dips = request.header.resonances;
   const ResonancesOfLine resonances = dips ? resonances_by_line(resolved) : nullptr;
   request.header.refined = true;

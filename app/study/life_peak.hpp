@@ -7,16 +7,16 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
-#include "coupling/study/peak_search.hpp"
+#include "coupling/analysis/peak_search.hpp"
 
 namespace orbearing::app {
 
-using study::LivedSpeed;
-using study::next_speeds;
-using study::peak_resolution;
-using study::PeakSearch;
-using study::position_of_longest_life;
-using study::SpeedLine;
+using analysis::LivedSpeed;
+using analysis::next_speeds;
+using analysis::peak_resolution;
+using analysis::PeakSearch;
+using analysis::position_of_longest_life;
+using analysis::SpeedLine;
 
 /// Peak of life on the grid and, where it was refined, of all points on the line of speeds through the grid's
 /// best; with warnings: that it is at an end of the range, next to a failed point, or less accurate than

@@ -36,8 +36,8 @@ MeshStudy mesh_study_with_warnings(const ResolvedCase& in) {
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in) {
   const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(stated.single(), drive_of(stated));
-  return study::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), stated.single().gears);
+  const analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(stated.single(), drive_of(stated));
+  return analysis::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), stated.single().gears);
 }
 
 }  // namespace orbearing::app

@@ -18,31 +18,31 @@ namespace orbearing::app {
 
 namespace {
 
-using study::MotionWindows;
-using study::MotionWork;
-using study::time_text;
+using analysis::MotionWindows;
+using analysis::MotionWork;
+using analysis::time_text;
 
 constexpr double kAnnounced = 30.0;  // [s]  estimates below are not shown
 constexpr std::size_t kMostEstimated =
     100;  // points; of more, the others take as long as the nearest of them
 constexpr std::size_t kMostAddedRounds = 40;
 constexpr double kShareOfGrid = 0.2;                  // of all points, at least
-constexpr const char* kLargestErrorText = "1e-6 mm";  // study::kLargestLengthError
+constexpr const char* kLargestErrorText = "1e-6 mm";  // analysis::kLargestLengthError
 
 MotionWindows windows_of(const ResolvedCase& in) {
   return machine_of<MotionWindows>(in);
 }
 
 // Empty where the case fails: the computation itself reports the failure.
-std::vector<MotionWork> work_of(const ResolvedCase& at_point, study::Fidelity fidelity) {
+std::vector<MotionWork> work_of(const ResolvedCase& at_point, analysis::Fidelity fidelity) {
   try {
-    return study::motion_work(bearing_sets(at_point), fidelity);
+    return analysis::motion_work(bearing_sets(at_point), fidelity);
   } catch (const std::exception&) {
     return {};
   }
 }
 
-std::vector<std::vector<MotionWork>> work_of(const ResolvedCase& resolved, study::Fidelity fidelity,
+std::vector<std::vector<MotionWork>> work_of(const ResolvedCase& resolved, analysis::Fidelity fidelity,
                                              const std::vector<SweepPoint>& points) {
   std::vector<std::vector<MotionWork>> all;
   const std::size_t stride = (points.size() + kMostEstimated - 1) / kMostEstimated;
@@ -57,9 +57,9 @@ std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const
   if (!request.refinement || request.header.shard || request.header.grid() > kMostEstimated) return added;
   std::vector<SweepRow> rows;
   const auto take = [&](const SweepPoint& point) {
-    study::PointResult result;
+    analysis::PointResult result;
     try {
-      result = compute_point(resolved, point.settings, study::Fidelity::quasi_static);
+      result = compute_point(resolved, point.settings, analysis::Fidelity::quasi_static);
     } catch (const std::exception& error) {
       result.status = error.what();
     }
@@ -82,7 +82,7 @@ std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const
 
 std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
                                               bool all) {
-  const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
+  const analysis::Fidelity fidelity = fidelity_of(request.header.fidelity);
   if (!in_time(fidelity) || !resolved.has(keys().observed_revolutions)) return std::nullopt;
   MotionEstimate estimate{work_of(resolved, fidelity, request.points), {}, windows_of(resolved)};
   if (all || estimate.seconds(estimate.stated) > kShareOfGrid * kAnnounced)
@@ -134,17 +134,18 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
     return windows.length_error == stated.length_error ? resolved.given(keys().length_error)
                                                        : kLargestErrorText;
   };
-  const auto [chosen, within] = study::windows_within(seconds, estimate);
+  const auto [chosen, within] = analysis::windows_within(seconds, estimate);
   if (!within)
     throw BadInput(
         fmt::format("--budget: found {}; required: {} of processor time or more by estimate, with the "
                     "shortest windows: {} revolutions for the means, at most {} before them, {} {}",
                     budget, time_text(estimate.seconds(chosen)), chosen.observed, chosen.most,
                     keys().length_error, error_text(chosen)));
-  const std::string cost = study::cost_text(chosen, stated);
+  const std::string cost = analysis::cost_text(chosen, stated);
   std::vector<Setting> settings;
   std::string text;
-  const auto set = [&](const std::string& path, bool changed, const std::string& before, const std::string& now) {
+  const auto set = [&](const std::string& path, bool changed, const std::string& before,
+                       const std::string& now) {
     if (!changed) return;
     settings.push_back({path, now});
     text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", ", path, now, before);
@@ -177,8 +178,8 @@ std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain || !resolved.has(keys().observed_revolutions) ||
       !resolved.shape().bearing)
     return {};
-  const double seconds =
-      study::seconds_of(work_of(resolved.without_sweep(), study::Fidelity::dynamic), windows_of(resolved));
+  const double seconds = analysis::seconds_of(work_of(resolved.without_sweep(), analysis::Fidelity::dynamic),
+                                              windows_of(resolved));
   if (!(seconds > 0.0)) return {};
   return {{"simulation.processor_time", seconds, "s",
            "estimate of a run with --fidelity dynamic, within a factor of 2"}};

@@ -8,11 +8,11 @@
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
-#include "coupling/study/motion_budget.hpp"
+#include "coupling/analysis/motion_budget.hpp"
 
 namespace orbearing::app {
 
-using study::MotionEstimate;
+using analysis::MotionEstimate;
 
 /// None for quasi-static sweeps. Points around the peak are left out where those of the request are short,
 /// unless `all`.
@@ -27,7 +27,7 @@ double budget_option(const std::string& text);
 /// shortest windows do not.
 struct BudgetedCase {
   ResolvedCase resolved;
-  study::MotionWindows windows;
+  analysis::MotionWindows windows;
   std::string chosen;  // in one line: what changed, and what it costs
 };
 std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const MotionEstimate& estimate,

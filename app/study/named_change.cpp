@@ -8,7 +8,7 @@
 #include "app/errors.hpp"
 #include "app/results/sweep_row.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 
 namespace orbearing::app {
 
@@ -46,7 +46,7 @@ bool fits(const ResolvedCase& resolved, const NamedChange& change) {
 std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::vector<NamedChange>& changes,
                                      const ChangeStudy& study, const ChangesDone& done) {
   std::vector<ChangeResult> results;
-  std::vector<std::vector<study::NamedSet>> sets;              // of each change
+  std::vector<std::vector<analysis::NamedSet>> sets;           // of each change
   std::vector<std::pair<std::size_t, std::size_t>> positions;  // of each point: its change, its speed
   std::vector<std::size_t> left;                               // points of each change
   for (const NamedChange& change : changes) {
@@ -54,21 +54,22 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
     const std::vector<double> speeds = study.speed.empty() ? swept_speeds(changed) : study.speed;
     for (std::size_t i = 0; i < speeds.size(); ++i) positions.emplace_back(results.size(), i);
     sets.push_back(bearing_sets(changed));
-    for (study::NamedSet& set : sets.back()) set.drivetrain.carrier_mounting.reset();  // none of it is shown
+    for (analysis::NamedSet& set : sets.back())
+      set.drivetrain.carrier_mounting.reset();  // none of it is shown
     left.push_back(speeds.size());
-    results.push_back({change, speeds, std::vector<study::PointResult>(speeds.size())});
+    results.push_back({change, speeds, std::vector<analysis::PointResult>(speeds.size())});
   }
   std::vector<std::size_t> indices(positions.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   std::size_t whole = 0;
-  study::compute_points(
+  analysis::compute_points(
       indices, study.jobs,
       [&](std::size_t index) {
         const auto [change, at] = positions[index];
-        return study.evaluate(study::at_speed(sets[change], results[change].speed[at]), study.fidelity);
+        return study.evaluate(analysis::at_speed(sets[change], results[change].speed[at]), study.fidelity);
       },
-      [&](std::vector<study::ComputedPoint> points) {
-        for (study::ComputedPoint& point : points) {
+      [&](std::vector<analysis::ComputedPoint> points) {
+        for (analysis::ComputedPoint& point : points) {
           const auto [change, at] = positions[point.index];
           results[change].points[at] = std::move(point.result);
           --left[change];
@@ -81,8 +82,9 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
   return results;
 }
 
-double life_of(const study::PointResult& point) {
-  return is_computed(point.status) ? study::governing_hours(point) : std::numeric_limits<double>::quiet_NaN();
+double life_of(const analysis::PointResult& point) {
+  return is_computed(point.status) ? analysis::governing_hours(point)
+                                   : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::size_t best_point(const ChangeResult& result) {

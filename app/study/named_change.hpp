@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 
 namespace orbearing::app {
 
@@ -21,19 +21,19 @@ struct NamedChange {
 /// Results of one changed case over its speeds.
 struct ChangeResult {
   NamedChange change;
-  std::vector<double> speed;               // [rad/s]  of the motor
-  std::vector<study::PointResult> points;  // a point that failed holds its reason in `status`
+  std::vector<double> speed;                  // [rad/s]  of the motor
+  std::vector<analysis::PointResult> points;  // a point that failed holds its reason in `status`
 };
 
 /// Speeds and fidelity at which changes are compared.
 struct ChangeStudy {
   std::vector<double> speed{};  // [rad/s]  of the motor; none: those of each changed case's own sweep
-  study::Fidelity fidelity = study::Fidelity::quasi_static;
+  analysis::Fidelity fidelity = analysis::Fidelity::quasi_static;
   int jobs = 0;  // threads; 0: one for each core
   /// Result for the sets with bearings at one speed; called from several threads.
-  std::function<study::PointResult(const std::vector<study::NamedSet>&, study::Fidelity)> evaluate =
-      [](const std::vector<study::NamedSet>& sets, study::Fidelity level) {
-        return study::evaluate(sets, level);
+  std::function<analysis::PointResult(const std::vector<analysis::NamedSet>&, analysis::Fidelity)> evaluate =
+      [](const std::vector<analysis::NamedSet>& sets, analysis::Fidelity level) {
+        return analysis::evaluate(sets, level);
       };
 };
 
@@ -55,7 +55,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
                                      const ChangeStudy& study, const ChangesDone& done = nullptr);
 
 /// Life [h] of one bearing; NaN where the point failed.
-double life_of(const study::PointResult& point);
+double life_of(const analysis::PointResult& point);
 
 /// Index of the speed of the longest life; failed points are skipped.
 std::size_t best_point(const ChangeResult& result);

@@ -7,9 +7,9 @@
 #include "app/case/input_keys.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
+#include "coupling/analysis/carrier_revolution.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
 #include "coupling/analysis/set_quantities.hpp"
-#include "coupling/study/carrier_revolution.hpp"
 
 namespace orbearing::app {
 
@@ -19,7 +19,7 @@ namespace {
 void require_sound_carrier(const ResolvedCase& in, const analysis::StatedDrivetrain& stated) {
   if (!analysis::carrier_is_body(stated)) return;
   try {
-    study::require_sound(stated.single().carrier);
+    analysis::require_sound(stated.single().carrier);
   } catch (const std::invalid_argument& error) {
     throw BadInput(in.file() + ": " + error.what());
   }
@@ -27,11 +27,11 @@ void require_sound_carrier(const ResolvedCase& in, const analysis::StatedDrivetr
 
 }  // namespace
 
-study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
+analysis::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   return with_refused_gears(in, analysis::moving_set(stated_drivetrain(in), ""));
 }
 
-study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& in) {
+analysis::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& in) {
   if (!in.shape().several) return drivetrain_of(in);
   const std::string& name = in.text(kScratchedSet);
   return with_refused_gears(in.of_set(name), analysis::moving_set(stated_drivetrain(in), name));
@@ -41,17 +41,17 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& in) {
   return analysis::bearing_set_names(stated_drivetrain(in));
 }
 
-std::vector<study::NamedSet> bearing_sets(const ResolvedCase& in) {
+std::vector<analysis::NamedSet> bearing_sets(const ResolvedCase& in) {
   const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   require_sound_carrier(in, stated);
-  std::vector<study::NamedSet> sets = analysis::bearing_sets(stated);
+  std::vector<analysis::NamedSet> sets = analysis::bearing_sets(stated);
   for (auto& [name, drivetrain, geometry] : sets)
     drivetrain = in.shape().several ? with_refused_gears(in.of_set(name), std::move(drivetrain))
                                     : with_sound_gears(in, std::move(drivetrain));
   return sets;
 }
 
-std::vector<study::NamedSet> stated_sets(const ResolvedCase& in) {
+std::vector<analysis::NamedSet> stated_sets(const ResolvedCase& in) {
   if (in.model() != planetary_drivetrain) return {};
   return analysis::stated_sets(stated_drivetrain(in));
 }
@@ -68,7 +68,7 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& in) {
 
 std::vector<std::string> slope_warnings(const ResolvedCase& in) {
   std::vector<std::string> texts;
-  for (const study::NamedSet& set : stated_sets(in))
+  for (const analysis::NamedSet& set : stated_sets(in))
     if (set.name.empty())
       for (const mechanics::Problem& warning : analysis::slope_warnings(set.drivetrain))
         texts.push_back(warning.key + ": " + in.given(warning.key) + " " + warning.text);
@@ -103,7 +103,7 @@ std::vector<analysis::NamedSpeed> few_swept_speeds(const ResolvedCase& in) {
   return speeds;
 }
 
-const study::SetGears& gears_of(const analysis::StatedDrivetrain& stated, const std::string& set) {
+const analysis::SetGears& gears_of(const analysis::StatedDrivetrain& stated, const std::string& set) {
   const auto named = std::ranges::find(stated.sets, set, &analysis::NamedStatedSet::name);
   return named == stated.sets.end() ? stated.single().gears : named->set.gears;  // planets of pairs
 }
@@ -114,13 +114,13 @@ std::vector<Derived> derived_quantities(const ResolvedCase& in) {
   std::vector<Derived> rows;
   const analysis::StatedDrivetrain& stated = stated_drivetrain(in);
   if (!stated.is_single() || in.shape().bearing) {
-    for (const study::NamedSet& set : bearing_sets(in))
+    for (const analysis::NamedSet& set : bearing_sets(in))
       add_rows_of(analysis::quantities_of(set, gears_of(stated, set.name), few_swept_speeds(in)), set.name,
                   rows);
     // Pins of all sets are alike where the case states one stiffness for all.
     if (in.has(keys().support_stiffness))
       std::erase_if(rows, [](const Derived& row) { return row.path.ends_with(keys().support_stiffness); });
-    for (const study::NamedSet& set : analysis::sets_without_bearing(stated))
+    for (const analysis::NamedSet& set : analysis::sets_without_bearing(stated))
       add_rows_of(analysis::quantities_of_gears(set.drivetrain), set.name, rows);
   } else if (in.shape().teeth) {
     add_rows_of(analysis::quantities_of_gears(stated_sets(in).front().drivetrain), "", rows);

@@ -5,30 +5,30 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "coupling/analysis/drivetrain.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "coupling/analysis/power_of_members.hpp"
-#include "coupling/study/drivetrain.hpp"
-#include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app {
 
 /// Parameters of a case of the model planetary-drivetrain that has one set; with a bearing also the dynamic
 /// model of its gears.
-study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
+analysis::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
 
 /// The set of a case with a scratched planet bearing, which moves; among several sets that of defect.set, at
 /// the speeds and torques that its members have there.
-study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& resolved);
+analysis::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& resolved);
 
 /// The sets with bearings of a planetary drivetrain, in the order of the case; of a case of one set, that one
 /// without a name.
-std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
+std::vector<analysis::NamedSet> bearing_sets(const ResolvedCase& resolved);
 
 /// Names of the sets with bearings where there are several sets; none for a case of one set.
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 
 /// The sets of a case as they are stated, with or without bearings, each driven as a single one; without
 /// their gears' motion and what follows from the inputs. None of a set without teeth, or of another model.
-std::vector<study::NamedSet> stated_sets(const ResolvedCase& resolved);
+std::vector<analysis::NamedSet> stated_sets(const ResolvedCase& resolved);
 
 /// Speeds, torques and power of every member of a sound case at its operating point.
 analysis::PowerOfMembers power_of(const ResolvedCase& resolved);

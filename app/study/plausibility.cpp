@@ -37,7 +37,7 @@ std::vector<Observation> observations(const nlohmann::ordered_json& object) {
   return found;
 }
 
-std::vector<Observation> observations(const study::PointNumbers& point) {
+std::vector<Observation> observations(const analysis::PointNumbers& point) {
   namespace dimension = described::dimension;
   namespace rating = bearing::rating;
   const rating::RatingLives& lives = point.rating.lives;
@@ -70,7 +70,7 @@ std::vector<std::string> rim_warnings(const ResolvedCase& at_point) {
   return analysis::thin_rim_warnings(bearing_sets(at_point));
 }
 
-study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets) {
+analysis::PointResult judged(analysis::PointResult result, const std::vector<analysis::NamedSet>& sets) {
   if (result.status != "ok") return result;
   std::vector<Observation> observed = analysis::observations(sets);
   for (Observation& one : observations(result)) observed.push_back(std::move(one));

@@ -7,8 +7,8 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_row.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "coupling/analysis/plausible_values.hpp"
-#include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -21,7 +21,7 @@ using analysis::Observation;
 std::vector<Observation> observations(const nlohmann::ordered_json& object);
 
 /// Pressure, lives, film and their ratios at a point.
-std::vector<Observation> observations(const study::PointNumbers& point);
+std::vector<Observation> observations(const analysis::PointNumbers& point);
 
 /// Values from speeds and loads of the case before any bearing is solved: n_dm, pitch_line_speed_m_s,
 /// unit_load_MPa, thinnest_rim. Empty for models without them.
@@ -31,7 +31,7 @@ std::vector<Observation> observations(const ResolvedCase& at_point);
 std::vector<std::string> rim_warnings(const ResolvedCase& at_point);
 
 /// The point with the status that its values deserve.
-study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets);
+analysis::PointResult judged(analysis::PointResult result, const std::vector<analysis::NamedSet>& sets);
 
 /// Warnings of rare values in the rows of a sweep, each once, with how many points have them.
 std::vector<std::string> rare_values(const std::vector<const SweepRow*>& rows);

@@ -115,7 +115,7 @@ PublishedComparison published_comparison(const ResolvedCase& resolved) {
 namespace {
 
 // The bearing to scale.
-Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
+Json drawing(const analysis::PlanetaryDrivetrain& drivetrain, const analysis::DrivetrainGeometry& geometry) {
   const bearing::Bearing& b = drivetrain.bearing;
   const auto of_cage = [&](double length) { return b.has_cage() ? Json(1e3 * length) : Json(); };
   return {{"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
@@ -133,8 +133,9 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
 
 // Speeds at pure rolling relative to the carrier, as multiples of the input speed: what slip is measured
 // against.
-Json kinematics(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
-  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
+Json kinematics(const analysis::PlanetaryDrivetrain& drivetrain,
+                const analysis::DrivetrainGeometry& geometry) {
+  const analysis::BearingDuty duty = analysis::bearing_duty(drivetrain, geometry);
   const double inner = duty.point.inner_speed / drivetrain.drive.speed;
   const double outer = duty.point.outer_speed / drivetrain.drive.speed;
   return {{"inner_race", inner},
@@ -151,18 +152,18 @@ Json axes_json(const ManifestHeader& header) {
   return list;
 }
 
-const study::NamedSet& set_named(const std::vector<study::NamedSet>& sets, const std::string& name) {
+const analysis::NamedSet& set_named(const std::vector<analysis::NamedSet>& sets, const std::string& name) {
   return *std::find_if(sets.begin(), sets.end(),
-                       [&](const study::NamedSet& set) { return set.name == name; });
+                       [&](const analysis::NamedSet& set) { return set.name == name; });
 }
 
-Json point_json(const study::PointResult& point, bool loads) {
+Json point_json(const analysis::PointResult& point, bool loads) {
   if (!is_computed(point.status)) return {{"status", point.status}};
   Record row;
-  study::describe_row(row, point);
+  analysis::describe_row(row, point);
   Json json = json_of(row);
   if (!loads) return json;
-  const study::LoadDistribution& by_place = point.distribution;
+  const analysis::LoadDistribution& by_place = point.distribution;
   for (const double angle : by_place.angle) json["angle_deg"].push_back(kDegree * angle);
   json["inner_load_N"] = by_place.inner_load;
   json["outer_load_N"] = by_place.outer_load;
@@ -195,10 +196,10 @@ void add_numbers_of_sweep(const SweepOutcome& outcome, bool whole, Json& rows) {
 }
 
 // Pictures show one bearing: of several sets, of the one that limits life at the peak.
-study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
-  const std::vector<study::NamedSet> sets = bearing_sets(resolved);
+analysis::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
+  const std::vector<analysis::NamedSet> sets = bearing_sets(resolved);
   const double speed = property(grid, "peak_speed_rpm") / kRpm;
-  return set_named(sets, study::evaluate(study::at_speed(sets, speed)).limiting_set);
+  return set_named(sets, analysis::evaluate(analysis::at_speed(sets, speed)).limiting_set);
 }
 
 // Rows as a refinement takes them: the grid's in their order, then those that were added.
@@ -270,13 +271,14 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const Json& 
   const ResolvedCase at = with_settings(resolved, wanted.at("settings"));
   const std::string set = wanted.at("set");
   const auto gears = set_named(bearing_sets(at), set).drivetrain.gear_set;
-  const ChangeStudy study{.speed = wanted.at("speeds"),
-                          .fidelity = fidelity_of(wanted.at("fidelity")),
-                          .evaluate = [&](const std::vector<study::NamedSet>& sets, study::Fidelity level) {
-                            study::NamedSet one = set_named(sets, set);
-                            one.drivetrain.gear_set = gears;
-                            return study::evaluate(one.drivetrain, one.geometry, level);
-                          }};
+  const ChangeStudy study{
+      .speed = wanted.at("speeds"),
+      .fidelity = fidelity_of(wanted.at("fidelity")),
+      .evaluate = [&](const std::vector<analysis::NamedSet>& sets, analysis::Fidelity level) {
+        analysis::NamedSet one = set_named(sets, set);
+        one.drivetrain.gear_set = gears;
+        return analysis::evaluate(one.drivetrain, one.geometry, level);
+      }};
   Json lists = Json::array();
   std::vector<NamedChange> changes;
   for (const Json& settings : wanted.at("changes")) {
@@ -290,7 +292,7 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const Json& 
       [&](const std::vector<ChangeResult>&, std::size_t done) { bar.show(done * study.speed.size()); });
   for (const ChangeResult& result : results) {
     Json& list = lists[std::stoul(result.change.group)] = Json::array();
-    for (const study::PointResult& point : result.points)
+    for (const analysis::PointResult& point : result.points)
       list.push_back(point_json(point, wanted.at("loads")));
   }
   return lists;

@@ -26,8 +26,8 @@ analysis::ScratchedVibration scratched_vibration(const ResolvedCase& in, MovingP
 analysis::ScratchedSet scratched_set_of(const ResolvedCase& in) {
   return {.drivetrain = scratched_drivetrain_of(in),
           .scratch = from_case<bearing::defect::Scratch>(in),
-          .position = from_case<study::ScratchedPosition>(in),
-          .sampling = from_case<study::PlanetSampling>(in),
+          .position = from_case<analysis::ScratchedPosition>(in),
+          .sampling = from_case<analysis::PlanetSampling>(in),
           .band = machine_of<analysis::EnvelopeBand>(in)};
 }
 

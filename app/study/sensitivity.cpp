@@ -166,9 +166,9 @@ using Lives = std::vector<std::pair<std::string, double>>;  // names, hours or r
 Lives lives_at_rest(const ResolvedCase& in) {
   try {
     if (in.model() == planetary_drivetrain) {
-      std::vector<study::NamedSet> sets = bearing_sets(in);
-      for (study::NamedSet& set : sets) set.drivetrain.carrier_mounting.reset();
-      const study::PointResult point = study::evaluate(sets);
+      std::vector<analysis::NamedSet> sets = bearing_sets(in);
+      for (analysis::NamedSet& set : sets) set.drivetrain.carrier_mounting.reset();
+      const analysis::PointResult point = analysis::evaluate(sets);
       Lives lives;
       for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
         lives.emplace_back(life.name, point.rating.hours.*life.hours);
@@ -298,10 +298,10 @@ std::vector<std::string> default_warnings(const ResolvedCase& resolved, const st
 LifeCurve life_curve(const ChangeResult& result) {
   LifeCurve curve;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
-    const study::PointResult& point = result.points[i];
+    const analysis::PointResult& point = result.points[i];
     if (!is_computed(point.status)) continue;  // the sweep reports the reason
     curve.speed_rpm.push_back(in_table_unit(result.speed[i], 1.0 / kRadiansPerSecond));
-    curve.life_h.push_back(study::governing_hours(point));
+    curve.life_h.push_back(analysis::governing_hours(point));
     curve.roller_load_rms.push_back(point.outer.load_rms);
   }
   if (curve.speed_rpm.empty()) throw ComputationFailed("no point of the sweep has a life");
@@ -371,7 +371,7 @@ std::string motion_heading(const std::string& case_name, const MotionPlan& plan)
 
 std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, const ChangeResult& result) {
   std::string text = fmt::format("{:<46}", result.change.group);
-  for (const study::PointResult& point : result.points)
+  for (const analysis::PointResult& point : result.points)
     text += fmt::format("{:>10}", life_cell(life_of(point)));
   const double difference = gain_at_best(reference, result);
   return text + fmt::format("{:>12.0f}{:>12}  {}\n", plan.speed_rpm[best_point(result)],
@@ -386,7 +386,7 @@ void describe_reading(described::Record& row, const std::string& case_name, cons
   row.value("assumption", "key of the case", result.change.group);
   row.value("reading", "other interpretation", result.change.name);
   row.value("settings", "of the case", result.change.settings);
-  std::vector<std::pair<double, const study::PointResult*>> points;
+  std::vector<std::pair<double, const analysis::PointResult*>> points;
   for (std::size_t i = 0; i < result.points.size(); ++i)
     points.emplace_back(plan.speed_rpm[i], &result.points[i]);
   row.table("points", "point", "lives over speed", points, [](described::Record& point, const auto& one) {

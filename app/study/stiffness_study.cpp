@@ -40,9 +40,9 @@ StiffnessStudy roller_stiffness(const ResolvedCase& in) {
 StiffnessStudy planet_stiffness(const ResolvedCase& in) {
   std::vector<StiffnessPoint> points;
   for (std::size_t i = 0; i < sweep_size(in); ++i)
-    for (const study::NamedSet& set : bearing_sets(in.with(sweep_point(in, i)).without_sweep()))
+    for (const analysis::NamedSet& set : bearing_sets(in.with(sweep_point(in, i)).without_sweep()))
       points.push_back(analysis::stiffness_of_planet_bearing(set));
-  const std::vector<study::NamedSet> stated = stated_sets(in);
+  const std::vector<analysis::NamedSet> stated = stated_sets(in);
   const bool whole = !in.shape().several && stated.front().drivetrain.bearing.has_rollers() &&
                      stated.front().drivetrain.bearing.rollers().laminae == 0;
   return analysis::stiffness_of_planet_bearings(std::move(points), whole);

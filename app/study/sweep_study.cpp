@@ -102,11 +102,11 @@ SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> setti
   return point_of(resolved, std::move(settings));
 }
 
-study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
-                                 study::Fidelity fidelity) {
+analysis::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
+                                    analysis::Fidelity fidelity) {
   const ResolvedCase at_point = resolved.with(settings);
-  const std::vector<study::NamedSet> sets = bearing_sets(at_point);
-  study::PointResult result = study::evaluate(sets, fidelity);
+  const std::vector<analysis::NamedSet> sets = bearing_sets(at_point);
+  analysis::PointResult result = analysis::evaluate(sets, fidelity);
   return is_idle_bin(settings) ? result : judged(std::move(result), sets);
 }
 
@@ -172,7 +172,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
   request.header.sets = bearing_set_names(resolved);
   request.header.life = governing_life_key(resolved);
   request.resolved_case = write_resolved(resolved);
-  const study::Fidelity level = fidelity_of(fidelity);
+  const analysis::Fidelity level = fidelity_of(fidelity);
   const std::vector<SweepPoint> bins(request.points.begin() + static_cast<std::ptrdiff_t>(grid),
                                      request.points.end());
   request.evaluate = [resolved, level, grid, bins](std::size_t index) {
@@ -211,9 +211,9 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   request.header.continued = direction;
   request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {
     if (start.size() == 0)
-      return compute_point(resolved, sweep_point(resolved, index), study::Fidelity::dynamic);
-    const std::vector<study::NamedSet> sets = bearing_sets(resolved.with(sweep_point(resolved, index)));
-    return judged(study::evaluate_from(sets.front().drivetrain, sets.front().geometry, start), sets);
+      return compute_point(resolved, sweep_point(resolved, index), analysis::Fidelity::dynamic);
+    const std::vector<analysis::NamedSet> sets = bearing_sets(resolved.with(sweep_point(resolved, index)));
+    return judged(analysis::evaluate_from(sets.front().drivetrain, sets.front().geometry, start), sets);
   };
 }
 

@@ -23,8 +23,8 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
 SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> settings, double rpm);
 
 /// Computes the operating point that `settings` make of the case.
-study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
-                                 study::Fidelity fidelity);
+analysis::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
+                                    analysis::Fidelity fidelity);
 
 /// Header of the manifest of `resolved`, for `points` points computed as `fidelity` names.
 ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& fidelity,

@@ -17,15 +17,15 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
-#include "coupling/study/multi_stage.hpp"
-#include "coupling/study/one_way.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/multi_stage.hpp"
+#include "coupling/analysis/one_way.hpp"
+#include "coupling/analysis/operating_point.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-constexpr study::OneWayOptions kOneWay;
+constexpr analysis::OneWayOptions kOneWay;
 
 // Those of the table, and of the bins of a spectrum: of idle ones, whose lives are next to endless, where
 // `idle`.
@@ -85,7 +85,7 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
   const std::string why = fmt::format(
       "the motion of the bore depends on the meshes that hold it where a bearing has no cage, or "
       "is lightly loaded (column drag_over_traction above {:g})",
-      study::kLightLoad);
+      analysis::kLightLoad);
   warn_where(outcome,
              fmt::format("--fidelity dynamic: {}. Gears and bearings are solved as one system there, as by "
                          "--fidelity monolithic",
@@ -99,20 +99,20 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
       fmt::format(
           "cage_slip differs by more than {:g} from drag_slip, that of the loads at rest. Rollers that "
           "bounce, or a bore that whirls, may hold such a state up. {}",
-          study::kDragSlipError, advice),
+          analysis::kDragSlipError, advice),
       [&](const SweepRow& row) {
-        return drag(row) > study::kLightLoad &&
+        return drag(row) > analysis::kLightLoad &&
                std::abs(row.point.cage_slip - row.point.motion->drag_slip.value_or(not_given)) >
-                   study::kDragSlipError;
+                   analysis::kDragSlipError;
       },
       warnings);
   const auto free = [&](const SweepRow& row) {
-    return row.ok() && !together(row) && (full || drag(row) > study::kLightLoad);
+    return row.ok() && !together(row) && (full || drag(row) > analysis::kLightLoad);
   };
   if (std::ranges::none_of(rows_of(outcome, true), [&](const SweepRow* row) { return free(*row); })) return;
   const bool tried =
-      std::ranges::any_of(bearing_sets(resolved.without_sweep()), [](const study::NamedSet& set) {
-        return study::moves_with_its_gears(set.drivetrain, std::numeric_limits<double>::infinity());
+      std::ranges::any_of(bearing_sets(resolved.without_sweep()), [](const analysis::NamedSet& set) {
+        return analysis::moves_with_its_gears(set.drivetrain, std::numeric_limits<double>::infinity());
       });
   const char* cause = tried
                           ? "As one system the motion could not be followed (--fidelity monolithic says why)"
@@ -150,7 +150,7 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
                   "and {0})",
                   life, 100.0 * kOtherLife),
       [&](const SweepRow& row) {
-        const study::PointRow& point = row.point;
+        const analysis::PointRow& point = row.point;
         const auto hours = [&](double life_hours, const bearing::rating::RatedHours& rated) {
           return governing_hours(outcome.header, life_hours, rated);
         };
@@ -174,7 +174,7 @@ void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, T
   if (is_stated(resolved, keys().gravity)) return;
   constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
   const ResolvedCase at_point = resolved.without_sweep();
-  for (const study::NamedSet& set : bearing_sets(at_point)) {
+  for (const analysis::NamedSet& set : bearing_sets(at_point)) {
     const double field = analysis::inertial_field(set);  // [m/s2]
     const double input = speed_in_rpm(set.drivetrain.drive.speed);
     const auto at = [&](const SweepRow& row) {
@@ -231,16 +231,16 @@ void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
       [](const SweepRow& row) { return row.point.exchange_residual > most_residual; }, warnings);
 }
 
-bool has_elastic_rim(const std::vector<study::NamedSet>& sets) {
-  return std::ranges::any_of(sets,
-                             [](const auto& set) { return set.drivetrain.rim == study::PlanetRim::elastic; });
+bool has_elastic_rim(const std::vector<analysis::NamedSet>& sets) {
+  return std::ranges::any_of(
+      sets, [](const auto& set) { return set.drivetrain.rim == analysis::PlanetRim::elastic; });
 }
 
 }  // namespace
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found) {
-  const std::vector<study::NamedSet> sets = stated_sets(resolved);
+  const std::vector<analysis::NamedSet> sets = stated_sets(resolved);
   Texts warnings = gear_warnings(resolved);
   add(require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all), warnings);
   add(found.warnings, warnings);

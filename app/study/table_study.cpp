@@ -22,10 +22,10 @@
 #include "app/study/sweep_study.hpp"
 #include "app/version.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableSplit, input, at, below, above)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableCell, lower, upper, terms, weights, error)
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis
 
 namespace orbearing {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableInput, path, from, to, by_logarithm)
@@ -64,7 +64,7 @@ std::vector<Setting> settings_at(const std::vector<TableInput>& inputs, const do
   return settings;
 }
 
-std::vector<double> values_at(const std::vector<TableInput>& inputs, const study::TablePoint& point) {
+std::vector<double> values_at(const std::vector<TableInput>& inputs, const analysis::TablePoint& point) {
   std::vector<double> values;
   for (std::size_t i = 0; i < inputs.size(); ++i) values.push_back(value_at(inputs[i], point[i]));
   return values;
@@ -195,11 +195,11 @@ struct TableStudy::State {
   std::size_t checks =
       0;  // independent check points, the first of all; the middle of the box follows, and beside it
   SweepRequest request;
-  std::vector<study::TablePoint> first;
-  std::unique_ptr<study::TableBuilder> builder;
+  std::vector<analysis::TablePoint> first;
+  std::unique_ptr<analysis::TableBuilder> builder;
   std::size_t taken = 0;  // rows
 
-  SweepPoint sweep_point_of(const study::TablePoint& point) const;
+  SweepPoint sweep_point_of(const analysis::TablePoint& point) const;
   double value_of(const SweepRow& row, const TabulatedResult& result) const;
   std::vector<double> tabulated(const SweepRow& row) const;
   void begin(const std::vector<SweepRow>& rows);
@@ -207,7 +207,7 @@ struct TableStudy::State {
   void measure(const std::vector<SweepRow>& rows);
 };
 
-SweepPoint TableStudy::State::sweep_point_of(const study::TablePoint& point) const {
+SweepPoint TableStudy::State::sweep_point_of(const analysis::TablePoint& point) const {
   const std::vector<double> values = values_at(table.inputs, point);
   SweepPoint added{.label = "", .input_speed = resolved.quantity(keys().speed)};
   added.settings = settings_at(table.inputs, values.data());
@@ -255,15 +255,15 @@ void TableStudy::State::begin(const std::vector<SweepRow>& rows) {
       const double change = std::abs(tabulated(rows[beside])[r] - middle[r]);
       if (std::isfinite(change)) table.scatter = std::max(table.scatter, change);
     }
-  builder = std::make_unique<study::TableBuilder>(
-      study::TableTarget{.inputs = table.inputs.size(),
-                         .results = table.results.size(),
-                         .bound = std::log1p(table.bound),
-                         .most_points = choice.points - rows.size(),
-                         .scatter = table.scatter,
-                         .checks = cell_checks(choice.points),
-                         .box_checks = independent_checks(choice.points),
-                         .seed = kCellSeed});
+  builder = std::make_unique<analysis::TableBuilder>(
+      analysis::TableTarget{.inputs = table.inputs.size(),
+                            .results = table.results.size(),
+                            .bound = std::log1p(table.bound),
+                            .most_points = choice.points - rows.size(),
+                            .scatter = table.scatter,
+                            .checks = cell_checks(choice.points),
+                            .box_checks = independent_checks(choice.points),
+                            .seed = kCellSeed});
 }
 
 std::vector<SweepPoint> TableStudy::State::next(const std::vector<SweepRow>& rows) {
@@ -276,7 +276,7 @@ std::vector<SweepPoint> TableStudy::State::next(const std::vector<SweepRow>& row
   }
   taken = rows.size();
   std::vector<SweepPoint> points;
-  for (const study::TablePoint& point : builder->next()) points.push_back(sweep_point_of(point));
+  for (const analysis::TablePoint& point : builder->next()) points.push_back(sweep_point_of(point));
   if (points.empty()) measure(rows);
   return points;
 }
@@ -288,7 +288,7 @@ void TableStudy::State::measure(const std::vector<SweepRow>& rows) {
     TabulatedResult& result = table.results[r];
     std::size_t answered = 0, within_bound = 0, within_stated = 0;
     for (std::size_t check = 0; check < checks; ++check) {
-      const study::TableValue found = table.table.at(first[check], r);
+      const analysis::TableValue found = table.table.at(first[check], r);
       const double miss = std::abs(tabulated(rows[check])[r] - found.value);
       if (!(found.error <= std::log1p(table.bound)) || !std::isfinite(miss)) continue;
       const double error = result.by_logarithm ? std::expm1(miss) : miss;
@@ -319,9 +319,9 @@ std::vector<TableInput> inputs_of_box(const ResolvedCase& resolved) {
                                      resolved.file(), axis.path, axis.written));
     inputs.push_back({axis.path, *least, *most, *least > 0.0 && *most >= kWideRange * *least});
   }
-  if (inputs.empty() || inputs.size() > study::kMostTableInputs)
+  if (inputs.empty() || inputs.size() > analysis::kMostTableInputs)
     mistakes.push_back(fmt::format("--over: found {} inputs; required: 1 to {}, here or in the case's sweep",
-                                   inputs.size(), study::kMostTableInputs));
+                                   inputs.size(), analysis::kMostTableInputs));
   if (!mistakes.empty()) throw BadInput(mistakes);
   return inputs;
 }
@@ -347,11 +347,11 @@ std::vector<TabulatedResult> results_of_choice(const ManifestHeader& header,
 std::size_t most_points_of(const TableChoice& choice, std::size_t inputs, bool moves) {
   const std::size_t points = choice.points > 0 ? choice.points : kPointsAtRest;
   const std::size_t least =
-      independent_checks(points) + 3 + study::table_first_points(inputs, cell_checks(points));
+      independent_checks(points) + 3 + analysis::table_first_points(inputs, cell_checks(points));
   if (choice.points == 0 && moves)
     throw BadInput(
         fmt::format("--points: missing; required: the largest number of runs in motion, at least {}",
-                    independent_checks(0) + 3 + study::table_first_points(inputs, cell_checks(0))));
+                    independent_checks(0) + 3 + analysis::table_first_points(inputs, cell_checks(0))));
   if (points < least)
     throw BadInput(
         fmt::format("--points: found {}; required: at least {} for {} inputs", points, least, inputs));
@@ -364,7 +364,7 @@ TableStudy::TableStudy(const ResolvedCase& resolved, const std::string& fidelity
     : state_(std::make_shared<State>(State{resolved, {}, choice})) {
   State& state = *state_;
   TabulatedCase& table = state.table;
-  const study::Fidelity level = fidelity_of(fidelity);
+  const analysis::Fidelity level = fidelity_of(fidelity);
   table.inputs = inputs_of_box(resolved);
   table.bound = choice.bound;
   table.scatter = in_time(level) ? scatter::in_motion : scatter::at_rest;
@@ -375,10 +375,11 @@ TableStudy::TableStudy(const ResolvedCase& resolved, const std::string& fidelity
   state.choice.points = most_points_of(choice, table.inputs.size(), in_time(level));
   state.checks = independent_checks(state.choice.points);
   for (std::size_t check = 0; check < state.checks + 3; ++check) {
-    study::TablePoint& point = state.first.emplace_back();
+    analysis::TablePoint& point = state.first.emplace_back();
     for (std::size_t i = 0; i < table.inputs.size(); ++i)
-      point[i] = check < state.checks ? study::table_random(kCheckSeed, check * study::kMostTableInputs + i)
-                                      : kShift * static_cast<double>(check - state.checks);
+      point[i] = check < state.checks
+                     ? analysis::table_random(kCheckSeed, check * analysis::kMostTableInputs + i)
+                     : kShift * static_cast<double>(check - state.checks);
   }
   SweepRequest& request = state.request = sweep_request(resolved, fidelity);
   table.results = results_of_choice(request.header, choice.results);
@@ -389,7 +390,7 @@ TableStudy::TableStudy(const ResolvedCase& resolved, const std::string& fidelity
   table.fidelity = fidelity;
   table.resolved_case = request.resolved_case;
   request.points.clear();
-  for (const study::TablePoint& point : state.first) request.points.push_back(state.sweep_point_of(point));
+  for (const analysis::TablePoint& point : state.first) request.points.push_back(state.sweep_point_of(point));
   request.header.points = request.points.size();
   request.header.spectrum = {};
   request.header.resonances = false;
@@ -402,7 +403,7 @@ TableStudy::TableStudy(const ResolvedCase& resolved, const std::string& fidelity
 
 SweepRequest TableStudy::request() const {
   SweepRequest request = state_->request;
-  const study::Fidelity level = fidelity_of(state_->table.fidelity);
+  const analysis::Fidelity level = fidelity_of(state_->table.fidelity);
   const auto compute = [resolved = state_->resolved, level](const SweepPoint& point) {
     return compute_point(resolved, point.settings, level);
   };

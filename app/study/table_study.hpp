@@ -1,5 +1,5 @@
-// Results of a case tabulated over some of its inputs (coupling/study/result_table.hpp), the file that holds
-// them, and their interpolation.
+// Results of a case tabulated over some of its inputs (coupling/analysis/result_table.hpp), the file that
+// holds them, and their interpolation.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
-#include "coupling/study/result_table.hpp"
+#include "coupling/analysis/result_table.hpp"
 #include "orbearing/table.hpp"
 
 namespace orbearing::app {
@@ -41,7 +41,7 @@ struct TabulatedCase {
   double scatter = 0.0;  // [-]  of computed values
   std::size_t points = 0, failed_points = 0;
   std::size_t check_points = 0;  // independent ones within the bound
-  study::ResultTable table;
+  analysis::ResultTable table;
 };
 
 void describe(described::Record& record, const TabulatedCase& table);

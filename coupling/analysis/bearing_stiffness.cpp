@@ -126,7 +126,7 @@ StiffnessStudy stiffness_of_pair(PreloadedPair pair) {
 namespace {
 
 // Whole contacts hold no tilt of their own: as straight laminae, whose loads are the same, they do.
-bearing::Bearing with_laminae(const study::PlanetaryDrivetrain& drivetrain) {
+bearing::Bearing with_laminae(const PlanetaryDrivetrain& drivetrain) {
   bearing::Bearing bearing = drivetrain.bearing;
   if (bearing.rollers().laminae > 0) return bearing;
   bearing.rollers().laminae = default_laminae;
@@ -134,10 +134,10 @@ bearing::Bearing with_laminae(const study::PlanetaryDrivetrain& drivetrain) {
   return bearing;
 }
 
-StiffnessPoint planet_point(const study::NamedSet& set) {
+StiffnessPoint planet_point(const NamedSet& set) {
   namespace laminae = bearing::laminae;
-  const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
-  const bearing::QuasiStaticOptions options = study::quasi_static_options(set.drivetrain);
+  const BearingDuty duty = bearing_duty(set.drivetrain, set.geometry);
+  const bearing::QuasiStaticOptions options = quasi_static_options(set.drivetrain);
   const laminae::LaminaBearing bearing(with_laminae(set.drivetrain));
   bearing::OperatingPoint at = duty.point;
   if (set.drivetrain.bearing.rollers().laminae == 0) at.bore_tilt.setZero();  // as its sweep has it
@@ -156,7 +156,7 @@ StiffnessPoint planet_point(const study::NamedSet& set) {
 
 }  // namespace
 
-StiffnessPoint stiffness_of_planet_bearing(const study::NamedSet& set) {
+StiffnessPoint stiffness_of_planet_bearing(const NamedSet& set) {
   try {
     return planet_point(set);
   } catch (const std::domain_error& error) {

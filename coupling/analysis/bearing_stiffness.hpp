@@ -8,8 +8,8 @@
 
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "coupling/analysis/duplex_run.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "coupling/analysis/single_bearing.hpp"
-#include "coupling/study/multi_stage.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
@@ -55,7 +55,7 @@ StiffnessStudy stiffness_of_pair(PreloadedPair pair);
 
 /// The bore of one planet bearing against its pin: rollers and cage at their kinematic speeds, mean over the
 /// cage angles.
-StiffnessPoint stiffness_of_planet_bearing(const study::NamedSet& set);
+StiffnessPoint stiffness_of_planet_bearing(const NamedSet& set);
 /// Points of a drivetrain as a study: one table for each set.
 /// @param whole_contacts rollers are not cut into laminae, and are taken as straight
 StiffnessStudy stiffness_of_planet_bearings(std::vector<StiffnessPoint> points, bool whole_contacts);

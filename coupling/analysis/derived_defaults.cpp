@@ -199,7 +199,7 @@ namespace {
 
 // As pins are where tilts are computed; else walls hold both ends.
 bearing::PinEnds ends_of(const StatedSet& set) {
-  const bool computed = set.planets.seats.tilt == study::TiltState::computed;
+  const bool computed = set.planets.seats.tilt == TiltState::computed;
   return computed ? set.planets.seats.ends : bearing::PinEnds::both;
 }
 
@@ -223,7 +223,7 @@ std::string PinStiffness::key() {
 }
 // Walls of the carrier as its mass has them: both together the plate ratio times the face width.
 MaybeDefault PinStiffness::derive(const StatedSet& set) {
-  const study::PlanetaryDrivetrain& planets = set.planets;
+  const PlanetaryDrivetrain& planets = set.planets;
   const double bore = planets.bearing.inner.seat_diameter, face = set.teeth.face_width;
   if (bore == 0.0 || face == 0.0) return std::nullopt;
   bearing::PlanetPin pin{.diameter = bore,

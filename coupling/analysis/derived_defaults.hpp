@@ -132,7 +132,7 @@ struct OfPin {
   using Part = StatedSet;
   template <class Visitor>
   static void inputs(Visitor& visit, Part& set) {
-    study::PlanetaryDrivetrain& planets = set.planets;
+    PlanetaryDrivetrain& planets = set.planets;
     mechanics::describe_only(visit, planets, planets.bearing.inner.seat_diameter, planets.bearings_per_planet,
                              planets.bearing.material.youngs_modulus, planets.bearing.material.poisson_ratio,
                              planets.seats.tilt, planets.seats.ends, planets.seats.span,

@@ -23,7 +23,7 @@ bool are_mirrored(const std::vector<double>& values, double sign) {
 }
 
 // Clearances of bearings in the order of their places.
-bool has_unlike_ends(const study::PinSeats& seats) {
+bool has_unlike_ends(const PinSeats& seats) {
   const std::vector<double>&position = seats.axial_positions, &clearance = seats.clearance_differences;
   std::vector<std::size_t> order(std::max(position.size(), clearance.size()));
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -54,7 +54,7 @@ bool is_cylindrical(const StatedSet& set) {
 }  // namespace
 
 bool planets_tilt(const StatedSet& set) {
-  const study::PinSeats& seats = set.planets.seats;
+  const PinSeats& seats = set.planets.seats;
   return set.teeth.helix_angle != 0.0 || is_held_at_one_end(set) || set.teeth.stepped.present() ||
          seats.radial_inclination != 0.0 || seats.tangential_inclination != 0.0 || seats.carrier_twist ||
          has_unlike_ends(seats) || has_unlike_roller_ends(set.rollers().profile);
@@ -69,14 +69,13 @@ bool pin_links_rows(const StatedSet& set) {
 }
 
 bool planet_counts_without_mass(const StatedSet& set) {
-  return set.planets.rim == study::PlanetRim::elastic ||
+  return set.planets.rim == PlanetRim::elastic ||
          set.planets.mounting.state == bearing::ClearanceState::unmounted ||
-         (set.planets.seats.tilt == study::TiltState::computed && planets_tilt(set));
+         (set.planets.seats.tilt == TiltState::computed && planets_tilt(set));
 }
 
 bool bearings_make_springs(const StatedSet& set) {
-  return set.has_bearing() &&
-         (!set.gears.choice.bearing_stiffness || set.planets.rim == study::PlanetRim::elastic);
+  return set.has_bearing() && (!set.gears.choice.bearing_stiffness || set.planets.rim == PlanetRim::elastic);
 }
 
 bool loads_make_springs(const StatedSet& set) {
@@ -136,7 +135,7 @@ bool is_one_system(const StatedDrivetrain& drivetrain) {
   if (!drivetrain.is_single()) return false;
   const StatedSet& set = drivetrain.single();
   return set.has_teeth() && set.complement == Complement::full && speed_is_steady(set) &&
-         set.planets.seats.tilt != study::TiltState::computed;
+         set.planets.seats.tilt != TiltState::computed;
 }
 
 }  // namespace orbearing::analysis

@@ -11,9 +11,9 @@ using PhysicsByKey = std::map<std::string, Physics, std::less<>>;
 PhysicsByKey found_physics() {
   const DrivetrainRows rows;
   const mechanics::MemberKeys key(rows);
-  const study::PlanetaryDrivetrain& planets = rows.set.planets;
+  const PlanetaryDrivetrain& planets = rows.set.planets;
   const gearset::PlanetarySet& teeth = rows.set.teeth;
-  const study::GearDynamicsChoice& gears = rows.set.gears.choice;
+  const GearDynamicsChoice& gears = rows.set.gears.choice;
   const bearing::Bearing& bearing = planets.bearing;
   const bearing::PlanetRows& planet_rows = planets.rows;
   const bearing::CylindricalRollers& rollers = bearing.rollers();

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "bearing/defect/scratch.hpp"
+#include "coupling/analysis/planet_scratch.hpp"
 #include "coupling/analysis/stated_drivetrain.hpp"
 #include "coupling/analysis/vibration_record.hpp"
-#include "coupling/study/planet_scratch.hpp"
 #include "mechanics/item_set.hpp"
 
 namespace orbearing::analysis {
@@ -51,8 +51,8 @@ struct DrivetrainRows {
   StatedSet set;
   gearset::Drive drive;
   bearing::defect::Scratch scratch;
-  study::ScratchedPosition position;
-  study::PlanetSampling sampling;
+  ScratchedPosition position;
+  PlanetSampling sampling;
   EnvelopeBand band;
 };
 template <class Visitor>

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "bearing/life/rating_lives.hpp"
-#include "coupling/study/tilting_planet.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "gearset/checks.hpp"
 #include "mechanics/append.hpp"
 #include "mechanics/constants.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using mechanics::append;
 using mechanics::significant;
-using study::NamedSet;
-using study::PlanetaryDrivetrain;
 
 constexpr int kFour = 4, kSix = 6;  // digits
 
@@ -31,7 +29,7 @@ std::string mesh_load_text(const PlanetaryDrivetrain& drivetrain, const gearset:
 
 // Loads of the outer bearings of a planet on a stiff pin that hold a moment [N m].
 std::string as_loads(const PlanetaryDrivetrain& drivetrain, double moment) {
-  const std::vector<double> positions = study::axial_positions(drivetrain);
+  const std::vector<double> positions = axial_positions(drivetrain);
   double squares = 0.0;  // [m^2]  bearings on a stiff pin share a moment as their positions
   for (const double position : positions) squares += position * position;
   if (!(squares > 0.0)) return "a moment on the one bearing";
@@ -73,10 +71,10 @@ std::vector<std::string> overturning_warnings(const std::vector<NamedSet>& sets)
   std::vector<std::string> warnings;
   for (const NamedSet& set : sets) {
     const PlanetaryDrivetrain& drivetrain = set.drivetrain;
-    if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed ||
+    if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == TiltState::computed ||
         !drivetrain.rows.is_cylindrical())  // in the equilibrium
       continue;
-    const gearset::MeanLoads loads = study::bearing_duty(drivetrain, set.geometry).gears;
+    const gearset::MeanLoads loads = bearing_duty(drivetrain, set.geometry).gears;
     const double moment = std::abs(loads.overturning_moment);
     warnings.push_back(
         set_prefix(set.name) + "gearset.helix_angle: the axial forces tilt a planet by a moment of " +
@@ -92,7 +90,7 @@ std::vector<std::string> overturning_warnings(const std::vector<NamedSet>& sets)
 
 mechanics::Problems slope_warnings(const PlanetaryDrivetrain& drivetrain) {
   mechanics::Problems warnings;
-  if (drivetrain.seats.tilt != study::TiltState::computed) return warnings;
+  if (drivetrain.seats.tilt != TiltState::computed) return warnings;
   const gearset::FlankModifications& flanks = drivetrain.set.flanks;
   const mechanics::MemberKeys key(flanks);
   const auto add = [&](const double& slope) {
@@ -158,8 +156,8 @@ std::vector<std::string> lamina_warnings(const std::vector<NamedSet>& sets) {
     const bearing::CylindricalRollers& rollers = drivetrain.bearing.rollers();
     const bool straight = std::holds_alternative<bearing::profile::Straight>(rollers.profile);
     const std::string found = set_prefix(set.name) + "bearing.laminae: " + std::to_string(rollers.laminae);
-    const bool tilts = drivetrain.seats.tilt == study::TiltState::computed ||
-                       drivetrain.misalignment.planet_tilt || drivetrain.misalignment.carrier_wind_up;
+    const bool tilts = drivetrain.seats.tilt == TiltState::computed || drivetrain.misalignment.planet_tilt ||
+                       drivetrain.misalignment.carrier_wind_up;
     if (rollers.laminae < enough && (tilts || !straight))
       warnings.push_back(found +
                          " resolve a profile or a tilt coarsely (one: not at all), which affects loads and "
@@ -179,7 +177,7 @@ std::vector<std::string> soft_rim_warnings(const std::vector<NamedSet>& sets) {
   constexpr double stiffer = 2.0, least_gain = 0.02;  // as well as influences agree with finite elements
   std::vector<std::string> warnings;
   for (const NamedSet& set : sets) try {
-      const double gain = study::gain_by_stiffer_rim(set.drivetrain, set.geometry, stiffer);
+      const double gain = gain_by_stiffer_rim(set.drivetrain, set.geometry, stiffer);
       if (gain > least_gain)
         warnings.push_back((sets.size() > 1 ? set_prefix(set.name) : "") +
                            "gearset.planet_rim: the rim is softer than that of the longest life. Twice as "
@@ -193,7 +191,7 @@ std::vector<std::string> soft_rim_warnings(const std::vector<NamedSet>& sets) {
 }
 
 double inertial_field(const NamedSet& set) {
-  const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
+  const BearingDuty duty = bearing_duty(set.drivetrain, set.geometry);
   const double cage =
       bearing::kinematic_cage_speed(set.geometry.bearing, duty.point.inner_speed, duty.point.outer_speed);
   return std::max(std::pow(duty.gears.carrier_speed, 2) * set.geometry.gears.centre_distance,

@@ -15,11 +15,10 @@ const std::string kBlock = "gearset.dynamics.";
 const std::string kBearingStiffness = kBlock + "planet.bearing_stiffness";
 
 // The model, or why there is none. A gear without a body is a mistake of the inputs.
-std::optional<gearset::dynamics::SetModel> model_or_reason(const study::PlanetaryDrivetrain& drivetrain,
-                                                           const study::SetGears& gears,
-                                                           std::string& reason) {
+std::optional<gearset::dynamics::SetModel> model_or_reason(const PlanetaryDrivetrain& drivetrain,
+                                                           const SetGears& gears, std::string& reason) {
   try {
-    return study::gear_model(drivetrain, study::geometry_of(drivetrain), gears);
+    return gear_model(drivetrain, geometry_of(drivetrain), gears);
   } catch (const std::domain_error&) {
     throw;
   } catch (const std::exception& error) {
@@ -34,13 +33,13 @@ void describe_missing(Record& record, const std::string& key, const std::string&
 
 }  // namespace
 
-GearQuantities gear_quantities(const study::PlanetaryDrivetrain& drivetrain, const study::SetGears& gears) {
+GearQuantities gear_quantities(const PlanetaryDrivetrain& drivetrain, const SetGears& gears) {
   GearQuantities found;
   found.model = model_or_reason(drivetrain, gears, found.failure);
   if (found.model || gears.choice.bearing_stiffness) return found;
-  study::PlanetaryDrivetrain rigid = drivetrain;
-  rigid.rim = study::PlanetRim::rigid;
-  study::SetGears on_springs = gears;
+  PlanetaryDrivetrain rigid = drivetrain;
+  rigid.rim = PlanetRim::rigid;
+  SetGears on_springs = gears;
   on_springs.choice.bearing_stiffness = kAnySpring;
   found.model = model_or_reason(rigid, on_springs, found.failure_without_bearings);
   return found;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "coupling/study/set_gears.hpp"
+#include "coupling/analysis/set_gears.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
@@ -18,7 +18,7 @@ struct GearQuantities {
 };
 
 /// Throws std::domain_error where a gear has no body under its teeth.
-GearQuantities gear_quantities(const study::PlanetaryDrivetrain& drivetrain, const study::SetGears& gears);
+GearQuantities gear_quantities(const PlanetaryDrivetrain& drivetrain, const SetGears& gears);
 
 /// Under the keys of the inputs that replace them.
 void describe(described::Record& record, const GearQuantities& of);

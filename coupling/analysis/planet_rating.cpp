@@ -30,11 +30,11 @@ bool cleanliness_is_assumed(const LifeInputs& life, const BearingOil& oil) {
   return states_viscosity(life, oil) && !states_cleanliness(life);
 }
 
-study::RatedBearing rated_bearing(const PlanetRating& in, double density, double roughness) {
-  study::RatedBearing rated{.stated = in.capacities.ratings(),
-                            .oil = stated_oil(in.life, in.oil, density),
-                            .reliability_factor = rating::reliability_factor(in.life.reliability),
-                            .method = in.life.method};
+RatedBearing rated_bearing(const PlanetRating& in, double density, double roughness) {
+  RatedBearing rated{.stated = in.capacities.ratings(),
+                     .oil = stated_oil(in.life, in.oil, density),
+                     .reliability_factor = rating::reliability_factor(in.life.reliability),
+                     .method = in.life.method};
   rated.stated.reduction_factor = in.rollers.reduction_factor;
   rated.stated.stress_riser = in.rollers.stress_riser;
   if (in.viscosity_ratio_by == ViscosityRatioBy::film) rated.roughness = roughness;

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "coupling/analysis/drivetrain.hpp"
 #include "coupling/analysis/single_bearing.hpp"
-#include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::analysis {
 
@@ -42,6 +42,6 @@ std::optional<bearing::rating::StatedOil> stated_oil(const LifeInputs& life, con
 bool cleanliness_is_assumed(const LifeInputs& life, const BearingOil& oil);
 
 /// @param roughness [m] composite, of which kappa by the film is
-study::RatedBearing rated_bearing(const PlanetRating& in, double density, double roughness);
+RatedBearing rated_bearing(const PlanetRating& in, double density, double roughness);
 
 }  // namespace orbearing::analysis

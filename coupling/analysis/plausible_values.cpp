@@ -184,10 +184,10 @@ Observation observed_speed(double relative_speed, double pitch_diameter) {
   return {"n_dm", kMillimetresPerMinute * std::abs(relative_speed) * pitch_diameter};
 }
 
-std::vector<Observation> observations(const std::vector<study::NamedSet>& sets) {
+std::vector<Observation> observations(const std::vector<NamedSet>& sets) {
   std::vector<Observation> found;
-  for (const study::NamedSet& set : sets) {
-    const gearset::MeanLoads loads = study::bearing_duty(set.drivetrain, set.geometry).gears;
+  for (const NamedSet& set : sets) {
+    const gearset::MeanLoads loads = bearing_duty(set.drivetrain, set.geometry).gears;
     found.push_back(observed_speed(loads.planet_speed_relative, set.drivetrain.bearing.pitch_diameter));
     found.push_back({kThinnestRim, set.geometry.rim_over_module});
     add_meshes(set.drivetrain.set, set.geometry.gears, loads, found);
@@ -195,7 +195,7 @@ std::vector<Observation> observations(const std::vector<study::NamedSet>& sets) 
   return found;
 }
 
-std::vector<Observation> observations_of_gears(const study::PlanetaryDrivetrain& drivetrain) {
+std::vector<Observation> observations_of_gears(const PlanetaryDrivetrain& drivetrain) {
   std::vector<Observation> found;
   const gearset::WorkingGeometry geometry = gearset::working_geometry(drivetrain.set);
   add_meshes(drivetrain.set, geometry, gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive),
@@ -203,9 +203,9 @@ std::vector<Observation> observations_of_gears(const study::PlanetaryDrivetrain&
   return found;
 }
 
-std::vector<std::string> thin_rim_warnings(const std::vector<study::NamedSet>& sets) {
+std::vector<std::string> thin_rim_warnings(const std::vector<NamedSet>& sets) {
   std::vector<std::string> warnings;
-  for (const study::NamedSet& set : sets)
+  for (const NamedSet& set : sets)
     for (const std::string& text : judge({{kThinnestRim, set.geometry.rim_over_module}}).warnings)
       warnings.push_back(set_prefix(set.name) + text);
   return warnings;

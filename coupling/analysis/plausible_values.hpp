@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 
 namespace orbearing::analysis {
 
@@ -61,11 +61,11 @@ std::string rare_text(const PlausibleRange& range, double value);
 Observation observed_speed(double relative_speed, double pitch_diameter);
 /// Values from speeds and loads before any bearing is solved: n_dm, thinnest_rim, pitch_line_speed_m_s,
 /// unit_load_MPa.
-std::vector<Observation> observations(const std::vector<study::NamedSet>& sets);
+std::vector<Observation> observations(const std::vector<NamedSet>& sets);
 /// Those of a set without bearings.
-std::vector<Observation> observations_of_gears(const study::PlanetaryDrivetrain& drivetrain);
+std::vector<Observation> observations_of_gears(const PlanetaryDrivetrain& drivetrain);
 
 /// Rims of planets that are thin for their module.
-std::vector<std::string> thin_rim_warnings(const std::vector<study::NamedSet>& sets);
+std::vector<std::string> thin_rim_warnings(const std::vector<NamedSet>& sets);
 
 }  // namespace orbearing::analysis

@@ -15,7 +15,7 @@ namespace dimension = described::dimension;
 namespace {
 
 // Along the roller whose most loaded lamina carries most on the inner race.
-std::vector<double> pressures_along(const study::NamedSet& set, const study::LaminaRecord& laminae,
+std::vector<double> pressures_along(const NamedSet& set, const LaminaRecord& laminae,
                                     const std::vector<double>& loads, bearing::Race race) {
   const bearing::Bearing& bearing = set.drivetrain.bearing;
   const bearing::PlanetRows& rows = set.drivetrain.rows;
@@ -34,18 +34,18 @@ std::vector<double> pressures_along(const study::NamedSet& set, const study::Lam
 
 }  // namespace
 
-std::vector<RollerLoads> roller_loads(std::vector<study::NamedSet> sets) {
+std::vector<RollerLoads> roller_loads(std::vector<NamedSet> sets) {
   std::vector<RollerLoads> all;
-  for (study::NamedSet& set : sets) {
+  for (NamedSet& set : sets) {
     set.drivetrain.carrier_mounting.reset();  // it moves no roller of the set's plane
-    study::PointResult point = study::evaluate(set.drivetrain, set.geometry, study::Fidelity::quasi_static);
+    PointResult point = evaluate(set.drivetrain, set.geometry, Fidelity::quasi_static);
     all.push_back({std::move(set), std::move(point)});
   }
   return all;
 }
 
 void describe(Record& row, const RollerLoads& loads) {
-  const study::LoadDistribution& by_position = loads.point.distribution;
+  const LoadDistribution& by_position = loads.point.distribution;
   row.value("set", "of gears; empty in a case of one set", loads.set.name);
   row.array("angle_deg", dimension::angle,
             "position in the load zone, from the outward radial direction towards carrier rotation",
@@ -54,7 +54,7 @@ void describe(Record& row, const RollerLoads& loads) {
             by_position.inner_load);
   row.array("outer_load_N", dimension::force, "load of a roller on the outer race", {"position"},
             by_position.outer_load);
-  const study::LaminaRecord laminae = loads.point.laminae.value_or(study::LaminaRecord{});
+  const LaminaRecord laminae = loads.point.laminae.value_or(LaminaRecord{});
   row.array("along_mm", dimension::length,
             "middle of a lamina, from the middle of the roller; none of whole contacts", {"lamina"},
             laminae.lamina_position);

@@ -65,7 +65,7 @@ mechanics::Problems problems(const ScratchOfRollers& machine) {
 }
 
 mechanics::Problems problems(const SampledRing& machine) {
-  const study::Sampling& sampling = machine.sampling;
+  const Sampling& sampling = machine.sampling;
   const mechanics::MemberKeys key(machine);
   mechanics::Problems found;
   if (!(machine.load.radial > 0.0))
@@ -141,7 +141,7 @@ ScratchedVibration at_rest(const ScratchedInHousing& in) {
 }
 
 void add_view(const ScratchedInHousing& in, ScratchedVibration& study) {
-  const study::RingVibration& vibration = study.vibration;
+  const RingVibration& vibration = study.vibration;
   study.turned = study.passing;
   if (study.run_up)
     study.turned = diagnosis::slower(study.passing, vibration.shaft_speed / in.rotation.shaft_speed);
@@ -171,7 +171,7 @@ ScratchedVibration seen(const ScratchedInHousing& in, ScratchedVibration study, 
 
 ScratchedVibration vibration_of_ring(const ScratchedInHousing& in, const Disturb& disturb) {
   ScratchedVibration study = at_rest(in);
-  study.vibration = study::sample_vibration(in.bodies(), in.sampling);
+  study.vibration = sample_vibration(in.bodies(), in.sampling);
   return seen(in, std::move(study), disturb);
 }
 
@@ -193,8 +193,7 @@ ScratchedVibration vibration_in_motion(const ScratchedBallsInMotion& in,
                                        const std::function<void(double)>& progress, const Disturb& disturb) {
   ScratchedVibration study = at_rest(in.of);
   study.moving = true;
-  study.vibration =
-      study::sample_vibration(in.of.bodies(), in.motion, in.length_error, in.of.sampling, progress);
+  study.vibration = sample_vibration(in.of.bodies(), in.motion, in.length_error, in.of.sampling, progress);
   return seen(in.of, std::move(study), disturb);
 }
 
@@ -307,7 +306,7 @@ void describe_found(Record& record, const ScratchedVibration& study) {
 }
 
 void describe_series(Record& record, const ScratchedVibration& study) {
-  const study::RingVibration& vibration = study.vibration;
+  const RingVibration& vibration = study.vibration;
   describe_time(record, vibration.ball_load.size(), vibration.rate);
   const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
                               const Eigen::ArrayXd& values) {

@@ -11,10 +11,10 @@
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/motion/balls/parameters.hpp"
+#include "coupling/analysis/scratch_run.hpp"
 #include "coupling/analysis/single_bearing.hpp"
 #include "coupling/analysis/vibration_record.hpp"
 #include "coupling/diagnosis/defect_view.hpp"
-#include "coupling/study/scratch_run.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "mechanics/conditional.hpp"
 #include "mechanics/part_rows.hpp"
@@ -29,7 +29,7 @@ struct ScratchedInHousing {
   bearing::Bearing bearing;
   bearing::defect::VibratingRing ring;
   bearing::defect::Scratch scratch;
-  study::Sampling sampling;
+  Sampling sampling;
   EnvelopeBand band;
 
   bearing::defect::ScratchedBearing bodies() const {
@@ -162,7 +162,7 @@ mechanics::Problems problems(const ScratchOfRollers& machine);
 struct SampledRing {
   bearing::equilibrium::RingLoad load;
   RingRotation rotation;
-  study::Sampling sampling;
+  Sampling sampling;
   EnvelopeBand band;
 };
 template <class Visitor>
@@ -193,7 +193,7 @@ struct ScratchedVibration {
   bearing::defect::StaticPosition at_rest;
   double inner_depth = 0.0;  // [m]  deepest, on a scratch of the inner race
   double outer_depth = 0.0;  // [m]
-  study::RingVibration vibration;
+  RingVibration vibration;
   diagnosis::InstrumentView view;  // acceleration of the outer ring along the load [m/s^2]
   std::vector<std::string> warnings;
 
@@ -202,7 +202,7 @@ struct ScratchedVibration {
 };
 
 /// `disturb` may add to the recorded signal before it is analysed.
-using Disturb = std::function<void(study::RingVibration&)>;
+using Disturb = std::function<void(RingVibration&)>;
 
 /// The outer ring alone moves. Throws NoResult where its motion cannot be integrated.
 ScratchedVibration vibration_of_ring(const ScratchedInHousing& in, const Disturb& disturb = {});

@@ -20,12 +20,12 @@ namespace dimension = described::dimension;
 // the rollers that carry the planet are there.
 Eigen::Vector2d load_zone_of(const ScratchedSet& in) {
   // The bore is pushed one way and meets the rollers on the other side of the pin.
-  return -study::load_on_bearing(in.drivetrain, in.position.planet - 1, in.position.bearing - 1).normalized();
+  return -load_on_bearing(in.drivetrain, in.position.planet - 1, in.position.bearing - 1).normalized();
 }
 
 // None without scratches. Angles of the result are measured from outward; those of a roller stay.
 std::vector<system::ScratchedPlanet> scratched_planets(const ScratchedSet& in, const Eigen::Vector2d& zone) {
-  const study::ScratchedPosition& position = in.position;
+  const ScratchedPosition& position = in.position;
   Scratch first = in.scratch;
   if (first.race == Scratched::none) return {};
   const double middle = std::atan2(zone.y(), zone.x());
@@ -37,7 +37,7 @@ std::vector<system::ScratchedPlanet> scratched_planets(const ScratchedSet& in, c
   };
   system::ScratchedPlanet planet{
       .planet = position.planet - 1, .bearing = position.bearing - 1, .scratches = {turned(first)}};
-  if (position.also != study::SecondScratched::none) {
+  if (position.also != SecondScratched::none) {
     first.race = scratched_part(position.also);
     first.angle = position.also_angle;
     first.more_angles.clear();
@@ -61,17 +61,16 @@ ScratchedSetVibration vibration_of_scratched_set(const ScratchedSet& in,
                                                  const std::function<void(double)>& progress) {
   const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
   const std::vector<system::ScratchedPlanet> scratched = scratched_planets(in, loaded);
-  ScratchedSetVibration result{.rolling = study::planet_frequencies(in.drivetrain),
+  ScratchedSetVibration result{.rolling = planet_frequencies(in.drivetrain),
                                .run_up = in.sampling.run_up_from < 1.0};
   for (const system::ScratchedPlanet& planet : scratched)
     for (const Scratch& one : planet.scratches) result.scratched.push_back(one.race);
   if (!result.scratched.empty())
     result.defect_frequency = diagnosis::defect_frequency(result.scratched.front(), result.rolling.bearing);
-  result.vibration = study::sample_vibration(in.drivetrain, scratched, in.sampling, progress);
-  const study::PlanetVibration& motion = result.vibration;
+  result.vibration = sample_vibration(in.drivetrain, scratched, in.sampling, progress);
+  const PlanetVibration& motion = result.vibration;
   if (!motion.report.completed) throw mechanics::NoResult(motion.report.message);
-  result.turned =
-      diagnosis::as_turned(result.rolling, motion, in.drivetrain.bearing.rollers().count, result.run_up);
+  result.turned = as_turned(result.rolling, motion, in.drivetrain.bearing.rollers().count, result.run_up);
   result.carrier = view_of(
       in, result,
       (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);
@@ -80,13 +79,13 @@ ScratchedSetVibration vibration_of_scratched_set(const ScratchedSet& in,
 }
 
 double time_of_signal(const ScratchedSet& in) {
-  const double carrier = study::planet_frequencies(in.drivetrain).carrier;
+  const double carrier = planet_frequencies(in.drivetrain).carrier;
   return time_of_turns(in.sampling.settling_revolutions + in.sampling.revolutions,
                        constants::two_pi * carrier, in.sampling.run_up_from);
 }
 
 void describe(Record& record, const ScratchedSetQuantities& quantities) {
-  const study::PlanetFrequencies& at = quantities.rolling;
+  const PlanetFrequencies& at = quantities.rolling;
   const auto add = [&](const char* name, const char* meaning, double frequency) {
     record.value(name, dimension::cycles, meaning, frequency);
   };
@@ -101,7 +100,7 @@ void describe(Record& record, const ScratchedSetQuantities& quantities) {
 
 namespace {
 
-void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
+void describe_frequencies(Record& record, const PlanetFrequencies& at) {
   const auto add = [&](const char* name, const char* meaning, double frequency) {
     record.value(name, dimension::cycles, meaning, frequency);
   };
@@ -171,7 +170,7 @@ void describe_named_lines(Record& record, const ScratchedSetVibration& study) {
 }
 
 void describe_series(Record& record, const ScratchedSetVibration& study) {
-  const study::PlanetVibration& motion = study.vibration;
+  const PlanetVibration& motion = study.vibration;
   const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
                               const Eigen::ArrayXd& values) {
     record.series(name, of, meaning, {"time"}, values);

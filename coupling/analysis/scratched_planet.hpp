@@ -7,30 +7,30 @@
 #include <vector>
 
 #include "bearing/defect/scratch.hpp"
+#include "coupling/analysis/drivetrain.hpp"
+#include "coupling/analysis/planet_scratch.hpp"
 #include "coupling/analysis/vibration_record.hpp"
 #include "coupling/diagnosis/defect_view.hpp"
-#include "coupling/study/drivetrain.hpp"
-#include "coupling/study/planet_scratch.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
 
 /// Inputs of the run. Angles of the scratch are measured from the middle of the load zone.
 struct ScratchedSet {
-  study::PlanetaryDrivetrain drivetrain;
+  PlanetaryDrivetrain drivetrain;
   bearing::defect::Scratch scratch;
-  study::ScratchedPosition position;
-  study::PlanetSampling sampling;
+  ScratchedPosition position;
+  PlanetSampling sampling;
   EnvelopeBand band;
 };
 
 struct ScratchedSetVibration {
   std::vector<bearing::defect::Scratched> scratched;  // surfaces, the first named one first
-  study::PlanetFrequencies rolling;                   // at pure rolling
-  study::PlanetFrequencies turned;                    // as cage and planet turned
+  PlanetFrequencies rolling;                          // at pure rolling
+  PlanetFrequencies turned;                           // as cage and planet turned
   std::optional<double> defect_frequency;             // [Hz]  of the first; none without a scratch
   bool run_up = false;
-  study::PlanetVibration vibration;
+  PlanetVibration vibration;
   /// Envelopes are those of the signal less the lines of the teeth, but in a run-up, whose orders are the
   /// carrier's.
   diagnosis::InstrumentView
@@ -51,7 +51,7 @@ double time_of_signal(const ScratchedSet& in);
 
 /// Frequencies that follow from the inputs, as derived quantities.
 struct ScratchedSetQuantities {
-  study::PlanetFrequencies rolling;
+  PlanetFrequencies rolling;
 };
 void describe(described::Record& record, const ScratchedSetQuantities& quantities);
 

@@ -14,11 +14,11 @@ void load_teeth(const gearset::LoadedTeeth& teeth, double force, NamedMesh& mesh
 
 }  // namespace
 
-MeshStudy meshes_of_set(const study::PlanetaryDrivetrain& drivetrain, const study::SetGears& gears,
+MeshStudy meshes_of_set(const PlanetaryDrivetrain& drivetrain, const SetGears& gears,
                         const gearset::StatedGeometry& stated) {
   const gearset::PlanetarySet& set = drivetrain.set;
   const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
-  const gearset::PlanetaryMeshes meshes = study::set_meshes(drivetrain, geometry, gears);
+  const gearset::PlanetaryMeshes meshes = set_meshes(drivetrain, geometry, gears);
   const mechanics::Material material = gears.material.material();
   const double shift = geometry.planet_shift;
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
@@ -51,13 +51,13 @@ MeshStudy meshes_of_set(const study::PlanetaryDrivetrain& drivetrain, const stud
       study.meshes.push_back(mesh);
     }
   };
-  if (drivetrain.rim == study::PlanetRim::elastic) study.planet_rim = study::derive(drivetrain).rim;
+  if (drivetrain.rim == PlanetRim::elastic) study.planet_rim = derive(drivetrain).rim;
   add(sun, meshes.sun_lag);
   add(ring, meshes.ring_lag);
   study.gears = gear_circles(geometry);
   add_texts(gearset::tooth_warnings(geometry), study.warnings);
   add_texts(gearset::ring_sign_warnings(set, stated), study.warnings);
-  add_texts(study::with_key_of_bore(gearset::foundation_warnings(meshes), drivetrain), study.warnings);
+  add_texts(with_key_of_bore(gearset::foundation_warnings(meshes), drivetrain), study.warnings);
   warn_of_standard(sun, study.warnings);
   warn_of_standard(ring, study.warnings);
   return study;

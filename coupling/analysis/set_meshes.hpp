@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "coupling/analysis/meshes.hpp"
-#include "coupling/study/set_gears.hpp"
+#include "coupling/analysis/set_gears.hpp"
 #include "gearset/stated_geometry.hpp"
 
 namespace orbearing::analysis {
 
 /// Meshes of a single set at its power and speed.
 /// @param stated values of a drawing, without which a negative shift of the ring is warned of
-MeshStudy meshes_of_set(const study::PlanetaryDrivetrain& drivetrain, const study::SetGears& gears,
+MeshStudy meshes_of_set(const PlanetaryDrivetrain& drivetrain, const SetGears& gears,
                         const gearset::StatedGeometry& stated);
 
 /// Circles of sun, planet and ring, and of the second gear of a stepped planet.

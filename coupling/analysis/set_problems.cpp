@@ -76,8 +76,8 @@ class SetCheck {
     return key_(choice) + ": " + std::string(text_of(choice));
   }
 
-  bool tilt_is_computed() const { return planets_.seats.tilt == study::TiltState::computed; }
-  bool has_elastic_rim() const { return planets_.rim == study::PlanetRim::elastic; }
+  bool tilt_is_computed() const { return planets_.seats.tilt == TiltState::computed; }
+  bool has_elastic_rim() const { return planets_.rim == PlanetRim::elastic; }
   bool is_unmounted() const { return planets_.mounting.state == bearing::ClearanceState::unmounted; }
   bool has_loaded_teeth() const { return set_.teeth.flanks.contact == gearset::ToothContact::loaded; }
 
@@ -126,7 +126,7 @@ class SetCheck {
 
   // Errors are listed pin by pin, and over a mesh period at more than one place.
   void find_bad_error_lists() {
-    const study::GearDynamicsChoice& choice = set_.gears.choice;
+    const GearDynamicsChoice& choice = set_.gears.choice;
     const auto planets = static_cast<std::size_t>(set_.teeth.planets);
     for (const auto* errors : Lists{&choice.pin_error_radial, &choice.pin_error_tangential})
       if (!errors->empty() && planets > 0 && errors->size() != planets)
@@ -208,7 +208,7 @@ class SetCheck {
   // Teeth under load push only, and follow from their form.
   void find_bad_tooth_contact() {
     const gearset::ToothContact& contact = set_.teeth.flanks.contact;
-    const study::GearDynamicsChoice& choice = set_.gears.choice;
+    const GearDynamicsChoice& choice = set_.gears.choice;
     if (!has_loaded_teeth()) return;
     if (!choice.separation)
       add(contact, "loaded together with " + key_(choice.separation) + ": false",
@@ -221,7 +221,7 @@ class SetCheck {
 
   // Computed tilt of a planet: it acts on laminae, and is that of bearings at rest.
   void find_bad_tilt() {
-    const study::PinSeats& seats = planets_.seats;
+    const PinSeats& seats = planets_.seats;
     if (!tilt_is_computed() || !set_.has_bearing()) return;
     if (set_.rollers().laminae == 0)
       add(seats.tilt, "computed without " + key_(set_.rollers().laminae),
@@ -292,7 +292,7 @@ class SetCheck {
   }
 
   void find_bad_pin() {
-    const study::PinSeats& seats = planets_.seats;
+    const PinSeats& seats = planets_.seats;
     if (seats.carrier_twist && seats.ends != bearing::PinEnds::both)
       add(seats.carrier_twist, written(seats.carrier_twist) + " together with " + chosen(seats.ends),
           "pins between two walls are required, of which one twists against the other");
@@ -354,8 +354,8 @@ class SetCheck {
   void find_refinements_of_cylindrical() {
     refuse_choice(set_.complement, Complement::caged);
     refuse_choice(planets_.mounting.state, bearing::ClearanceState::operating);
-    refuse_choice(planets_.seats.tilt, study::TiltState::stated);
-    refuse_choice(planets_.rim, study::PlanetRim::rigid);
+    refuse_choice(planets_.seats.tilt, TiltState::stated);
+    refuse_choice(planets_.rim, PlanetRim::rigid);
     refuse_choice(set_.rating.viscosity_ratio_by, ViscosityRatioBy::speed);
     refuse_choice(planets_.mounting.rings, bearing::Rings::both);
     refuse_where(planets_.dynamics.race.film_in_approach, planets_.dynamics.race.film_in_approach, "true");
@@ -439,7 +439,7 @@ class SetCheck {
   }
 
   const StatedSet& set_;
-  const study::PlanetaryDrivetrain& planets_;
+  const PlanetaryDrivetrain& planets_;
   mechanics::MemberKeys<StatedSet> key_;
   Problems found_;
 };

@@ -34,13 +34,13 @@ auto computed_or_reason(const Compute& compute) -> Computed<typename decltype(co
   }
 }
 
-std::optional<MountedClearance> mounted_clearance(const study::NamedSet& set,
+std::optional<MountedClearance> mounted_clearance(const NamedSet& set,
                                                   const std::vector<NamedSpeed>& speeds) {
   if (set.drivetrain.mounting.state == bearing::ClearanceState::operating) return std::nullopt;
-  MountedClearance found{study::clearance_chain(set.drivetrain)};
+  MountedClearance found{clearance_chain(set.drivetrain)};
   for (const NamedSpeed& at : speeds) {
-    study::NamedSet there = set;
-    study::turn_at(at.speed, there.drivetrain, there.geometry);
+    NamedSet there = set;
+    turn_at(at.speed, there.drivetrain, there.geometry);
     found.at_speeds.emplace_back(at.text, there.drivetrain.bearing.radial_clearance);
   }
   return found;
@@ -64,36 +64,35 @@ double pin_tolerance(double centre_distance) {
 }
 
 // Whether the errors of a pin may be varied: planets carry equal loads, and are ones that can carry others.
-bool may_share_unevenly(const study::NamedSet& set) {
-  const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
+bool may_share_unevenly(const NamedSet& set) {
+  const PlanetaryDrivetrain& drivetrain = set.drivetrain;
   return set.name.empty() && !drivetrain.uneven_planets && drivetrain.set.planet_angles.empty() &&
          !drivetrain.set.stepped.present() && !drivetrain.of_pair && drivetrain.rows.is_cylindrical();
 }
 
-std::optional<OnePinOff> one_pin_off(const study::NamedSet& set, study::SetGears gears) {
+std::optional<OnePinOff> one_pin_off(const NamedSet& set, SetGears gears) {
   if (!may_share_unevenly(set)) return std::nullopt;
-  study::PlanetaryDrivetrain drivetrain = set.drivetrain;
+  PlanetaryDrivetrain drivetrain = set.drivetrain;
   OnePinOff found{.error = pin_tolerance(set.geometry.gears.centre_distance),
-                  .without_tilt = drivetrain.seats.tilt == study::TiltState::computed};
+                  .without_tilt = drivetrain.seats.tilt == TiltState::computed};
   gears.choice.pin_error_tangential.assign(static_cast<std::size_t>(drivetrain.set.planets), 0.0);
   gears.choice.pin_error_tangential.front() = found.error;
   drivetrain.uneven_planets = true;
-  drivetrain.seats.tilt = study::TiltState::stated;
+  drivetrain.seats.tilt = TiltState::stated;
   drivetrain.carrier_mounting.reset();
-  drivetrain.gear_set = study::gears_built_once(drivetrain, gears, set.geometry);
+  drivetrain.gear_set = gears_built_once(drivetrain, gears, set.geometry);
   try {
     drivetrain.gear_set();
   } catch (const std::domain_error&) {  // gears without a body, which other quantities report
     return std::nullopt;
   }
-  const study::PointResult point = study::evaluate(drivetrain, set.geometry);
+  const PointResult point = evaluate(drivetrain, set.geometry);
   if (point.planets.empty()) return std::nullopt;
-  found.load_share =
-      std::ranges::max_element(point.planets, {}, &study::PlanetResult::load_share)->load_share;
+  found.load_share = std::ranges::max_element(point.planets, {}, &PlanetResult::load_share)->load_share;
   found.governing =
       bearing::rating::governing_life(drivetrain.rated.method, drivetrain.rated.oil.has_value());
   found.shortest_life = std::numeric_limits<double>::infinity();
-  for (const study::PlanetResult& planet : point.planets)
+  for (const PlanetResult& planet : point.planets)
     found.shortest_life =
         std::min(found.shortest_life,
                  bearing::rating::hours_of(found.governing, planet.life_hours, planet.rated_hours));
@@ -102,16 +101,16 @@ std::optional<OnePinOff> one_pin_off(const study::NamedSet& set, study::SetGears
 
 }  // namespace
 
-SetQuantities quantities_of(const study::NamedSet& set, const study::SetGears& gears,
+SetQuantities quantities_of(const NamedSet& set, const SetGears& gears,
                             const std::vector<NamedSpeed>& speeds) {
-  return {.set = set,
-          .clearance = computed_or_reason([&] { return mounted_clearance(set, speeds); }),
-          .duty = computed_or_reason(
-              [&] { return std::optional(study::bearing_duty(set.drivetrain, set.geometry)); }),
-          .one_pin_off = computed_or_reason([&] { return one_pin_off(set, gears); })};
+  return {
+      .set = set,
+      .clearance = computed_or_reason([&] { return mounted_clearance(set, speeds); }),
+      .duty = computed_or_reason([&] { return std::optional(bearing_duty(set.drivetrain, set.geometry)); }),
+      .one_pin_off = computed_or_reason([&] { return one_pin_off(set, gears); })};
 }
 
-GearSetQuantities quantities_of_gears(const study::PlanetaryDrivetrain& drivetrain) {
+GearSetQuantities quantities_of_gears(const PlanetaryDrivetrain& drivetrain) {
   GearSetQuantities found{.drivetrain = drivetrain};
   found.geometry.gears = gearset::working_geometry(drivetrain.set);
   found.geometry.planet_mass = gearset::planet_body(drivetrain.set, found.geometry.gears).mass;
@@ -150,14 +149,14 @@ void describe_contact_ratio(Record& record, const std::string& mesh, const gears
                of.contact_ratio);
 }
 
-void describe_planet_mass(Record& record, const study::DrivetrainGeometry& geometry) {
+void describe_planet_mass(Record& record, const DrivetrainGeometry& geometry) {
   record.value("gearset.planet_mass_kg", dimension::mass, "gear body and outer rings of its bearings",
                geometry.planet_mass);
 }
 
 // One planet of a pair and its own meshes; the mesh of both belongs to the second.
-void describe_planet_of_pair(Record& record, const study::PlanetaryDrivetrain& drivetrain,
-                             const study::DrivetrainGeometry& geometry) {
+void describe_planet_of_pair(Record& record, const PlanetaryDrivetrain& drivetrain,
+                             const DrivetrainGeometry& geometry) {
   const gearset::PlanetOfPair& planet = *drivetrain.of_pair;
   const gearset::PlanetPairGeometry pair = gearset::planet_pair_geometry(drivetrain.set, planet.pair);
   const auto add_mesh = [&](const char* name, const gearset::MeshGeometry& mesh) {
@@ -202,8 +201,8 @@ void describe_circles(Record& record, const GearCircles& gear) {
   add("root", gear.root, "of the root circle");
 }
 
-void describe_gears(Record& record, const study::PlanetaryDrivetrain& drivetrain,
-                    const study::DrivetrainGeometry& geometry) {
+void describe_gears(Record& record, const PlanetaryDrivetrain& drivetrain,
+                    const DrivetrainGeometry& geometry) {
   if (drivetrain.of_pair) return describe_planet_of_pair(record, drivetrain, geometry);
   const gearset::WorkingGeometry& gears = geometry.gears;
   constexpr double round_off = 1e-12;
@@ -265,8 +264,7 @@ void describe_motor_speed(Record& record, const gearset::Drive& drive) {
                  drive.motor_speed());
 }
 
-void describe_duty(Record& record, const study::PlanetaryDrivetrain& drivetrain,
-                   const study::BearingDuty& duty) {
+void describe_duty(Record& record, const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty) {
   describe_loads(record, drivetrain.set, duty.gears);
   describe_motor_speed(record, drivetrain.drive);
   const std::string whose =
@@ -278,8 +276,8 @@ void describe_duty(Record& record, const study::PlanetaryDrivetrain& drivetrain,
                duty.point.bore_load.y());
 }
 
-void describe_capacities(Record& record, const study::PlanetaryDrivetrain& drivetrain,
-                         const study::DrivetrainGeometry& geometry) {
+void describe_capacities(Record& record, const PlanetaryDrivetrain& drivetrain,
+                         const DrivetrainGeometry& geometry) {
   const bearing::rating::StatedRatings& stated = drivetrain.rated.stated;
   const bearing::rating::Ratings& ratings = geometry.rating.ratings;
   if (!stated.dynamic_capacity)
@@ -299,8 +297,8 @@ void describe_profile_drop(Record& record, const bearing::Bearing& bearing) {
                bearing::profile::drop(bearing.rollers().profile, bearing::profile::kDropPosition * half));
 }
 
-void describe_bearing(Record& record, const study::PlanetaryDrivetrain& drivetrain,
-                      const study::DrivetrainGeometry& geometry) {
+void describe_bearing(Record& record, const PlanetaryDrivetrain& drivetrain,
+                      const DrivetrainGeometry& geometry) {
   constexpr Dimension in_grams{"mass", "kg", "g", "", 1e-3};
   const bearing::BearingGeometry& g = geometry.bearing;
   const bearing::Bearing& bearing = drivetrain.bearing;
@@ -360,13 +358,13 @@ void describe_computed(Record& record, const char* key, const Computed<Value>& o
 }  // namespace
 
 void describe(Record& record, const SetQuantities& of) {
-  const study::PlanetaryDrivetrain& drivetrain = of.set.drivetrain;
+  const PlanetaryDrivetrain& drivetrain = of.set.drivetrain;
   describe_gears(record, drivetrain, of.set.geometry);
   describe_bearing(record, drivetrain, of.set.geometry);
   describe_computed(record, "bearing.clearance", of.clearance,
                     [&](const MountedClearance& clearance) { describe_clearance(record, clearance); });
   describe_computed(record, "operation", of.duty,
-                    [&](const study::BearingDuty& duty) { describe_duty(record, drivetrain, duty); });
+                    [&](const BearingDuty& duty) { describe_duty(record, drivetrain, duty); });
   describe_computed(record, "one_pin_off", of.one_pin_off,
                     [&](const OnePinOff& off) { describe_one_pin_off(record, off); });
   record.value("support.stiffness_N_per_m", dimension::stiffness,

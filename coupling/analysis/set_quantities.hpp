@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/study/multi_stage.hpp"
-#include "coupling/study/set_gears.hpp"
+#include "coupling/analysis/multi_stage.hpp"
+#include "coupling/analysis/set_gears.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::analysis {
@@ -41,26 +41,26 @@ struct OnePinOff {
 
 /// A set with planet bearings.
 struct SetQuantities {
-  study::NamedSet set;
+  NamedSet set;
   Computed<MountedClearance> clearance;  // none: the clearance is stated as that in operation
-  Computed<study::BearingDuty> duty;
+  Computed<BearingDuty> duty;
   Computed<OnePinOff> one_pin_off;  // none: planets carry unequal loads as stated, or must carry equal ones
 };
 
 /// @param speeds at which the clearance is given besides
-SetQuantities quantities_of(const study::NamedSet& set, const study::SetGears& gears,
+SetQuantities quantities_of(const NamedSet& set, const SetGears& gears,
                             const std::vector<NamedSpeed>& speeds = {});
 void describe(described::Record& record, const SetQuantities& of);
 
 /// A set without planet bearings.
 struct GearSetQuantities {
-  study::PlanetaryDrivetrain drivetrain;
-  study::DrivetrainGeometry geometry;  // of gears and planet alone
+  PlanetaryDrivetrain drivetrain;
+  DrivetrainGeometry geometry;  // of gears and planet alone
   gearset::MeanLoads loads;
 };
 
 /// A single set, or one of several by its part in the flow of power.
-GearSetQuantities quantities_of_gears(const study::PlanetaryDrivetrain& drivetrain);
+GearSetQuantities quantities_of_gears(const PlanetaryDrivetrain& drivetrain);
 void describe(described::Record& record, const GearSetQuantities& of);
 
 }  // namespace orbearing::analysis

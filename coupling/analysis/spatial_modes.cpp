@@ -1,6 +1,6 @@
 #include "coupling/analysis/spatial_modes.hpp"
 
-#include "coupling/study/carrier_revolution.hpp"
+#include "coupling/analysis/carrier_revolution.hpp"
 
 namespace orbearing::analysis {
 
@@ -38,10 +38,10 @@ void describe(Record& record, const SpatialModes& of) {
   record.table("modes", "spatial_mode", "natural modes", of.modes, describe_spatial_mode);
 }
 
-SpatialModes spatial_modes(const study::NamedSet& set) {
-  const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
+SpatialModes spatial_modes(const NamedSet& set) {
+  const PlanetaryDrivetrain& drivetrain = set.drivetrain;
   return {gearset::spatial::modes_at_rest(
-      study::moving_set(drivetrain, drivetrain.gear_set(), set.geometry.gears.base_helix_angle))};
+      moving_set(drivetrain, drivetrain.gear_set(), set.geometry.gears.base_helix_angle))};
 }
 
 }  // namespace orbearing::analysis

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "gearset/spatial/spatial_modes.hpp"
 #include "mechanics/record.hpp"
 
@@ -17,6 +17,6 @@ void describe(described::Record& record, const SpatialModes& of);
 
 /// Modes of a set with a carrier_mounting and a gear_set. Throws std::invalid_argument where lists do not fit
 /// together.
-SpatialModes spatial_modes(const study::NamedSet& set);
+SpatialModes spatial_modes(const NamedSet& set);
 
 }  // namespace orbearing::analysis

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "coupling/study/carrier_revolution.hpp"
+#include "coupling/analysis/carrier_revolution.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_angles.hpp"
 #include "gearset/stepped_planet.hpp"
@@ -43,16 +43,16 @@ std::string key_in_case(const StatedSet& set, const std::string& key) {
 
 std::string unequal_loads_by(const StatedSet& set) {
   const mechanics::MemberKeys key(set);
-  const study::GearDynamicsChoice& choice = set.gears.choice;
+  const GearDynamicsChoice& choice = set.gears.choice;
   for (const auto* errors : {&choice.pin_error_radial, &choice.pin_error_tangential})
     if (is_anywhere_nonzero(*errors)) return key(*errors);
   const bool positioned = !set.teeth.planet_angles.empty() && set.teeth.planets > 0;
   return positioned && gearset::is_unequally_spaced(set.teeth) ? key(set.teeth.planet_angles) : "";
 }
 
-study::PlanetaryDrivetrain drivetrain_of(const StatedSet& stated, const gearset::Drive& drive) {
+PlanetaryDrivetrain drivetrain_of(const StatedSet& stated, const gearset::Drive& drive) {
   if (!stated.has_bearing()) return {.set = with_bore(stated), .drive = drive};
-  study::PlanetaryDrivetrain out = stated.planets;
+  PlanetaryDrivetrain out = stated.planets;
   out.set = with_bore(stated);
   out.drive = drive;
   if (stated.complement == Complement::full) out.bearing.cage = {};  // what is stated of one has no effect
@@ -67,7 +67,7 @@ study::PlanetaryDrivetrain drivetrain_of(const StatedSet& stated, const gearset:
   // hole of no account, since a bore is above 0.
   if (out.mounting.rings != bearing::Rings::both)
     out.bearing.inner.seat_diameter = std::max(out.mounting.pin_bore, 1e-3 * out.bearing.inner.seat_diameter);
-  study::mount(out);
+  mount(out);
   return out;
 }
 
@@ -81,7 +81,7 @@ bool carrier_is_body(const StatedDrivetrain& drivetrain) {
   const StatedSet& set = drivetrain.single();
   return !set.carrier.positions.empty() && !set.carrier.radial_stiffness.empty() && set.has_bearing() &&
          set.has_teeth() && set.teeth.fixed_member == gearset::Member::ring &&
-         set.planets.rim != study::PlanetRim::elastic && !set.teeth.stepped.present() &&
+         set.planets.rim != PlanetRim::elastic && !set.teeth.stepped.present() &&
          !set.second_planet.present() && set.bearing_type == bearing::PlanetBearingType::cylindrical_roller;
 }
 
@@ -174,38 +174,38 @@ namespace {
 // Names of planets in pairs, which are modelled as two sets that share the power.
 const std::vector<std::string> pair_names{"first_planet", "second_planet"};
 
-std::vector<study::NamedSet> planets_of_pairs(const StatedDrivetrain& in) {
+std::vector<NamedSet> planets_of_pairs(const StatedDrivetrain& in) {
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
   const gearset::Drive drive = drive_of(in);
-  std::vector<study::NamedSet> planets;
+  std::vector<NamedSet> planets;
   for (const std::string& name : pair_names) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive);
+    PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive);
     drivetrain.of_pair = {in.single().second_planet, name == pair_names.back()};
     drivetrain.in_arrangement = flow.sets.front();
     drivetrain.mesh_variation = false;
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    const DrivetrainGeometry geometry = derive(drivetrain);
     planets.push_back({name, std::move(drivetrain), geometry});
   }
   return planets;
 }
 
 // One of several, without its gears.
-study::PlanetaryDrivetrain arranged_drivetrain(const StatedSet& set, const gearset::Drive& drive,
-                                               const gearset::MemberRatios& ratios) {
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(set, drive);
+PlanetaryDrivetrain arranged_drivetrain(const StatedSet& set, const gearset::Drive& drive,
+                                        const gearset::MemberRatios& ratios) {
+  PlanetaryDrivetrain drivetrain = drivetrain_of(set, drive);
   drivetrain.in_arrangement = ratios;
-  study::mount(drivetrain);
+  mount(drivetrain);
   return drivetrain;
 }
 
-study::NamedSet single_bearing_set(const StatedDrivetrain& in) {
+NamedSet single_bearing_set(const StatedDrivetrain& in) {
   const StatedSet& set = in.single();
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(set, drive_of(in));
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  PlanetaryDrivetrain drivetrain = drivetrain_of(set, drive_of(in));
+  const DrivetrainGeometry geometry = derive(drivetrain);
   if (drivetrain.has_bearing() && drivetrain.bearing.has_rollers())
-    drivetrain.gear_set = study::gears_built_once(drivetrain, set.gears, geometry);
+    drivetrain.gear_set = gears_built_once(drivetrain, set.gears, geometry);
   if (carrier_is_body(in)) {
-    study::require_sound(set.carrier);
+    require_sound(set.carrier);
     drivetrain.carrier_mounting = set.carrier;
   }
   return {"", std::move(drivetrain), geometry};
@@ -222,59 +222,58 @@ std::vector<std::string> bearing_set_names(const StatedDrivetrain& in) {
   return names;
 }
 
-std::vector<study::NamedSet> bearing_sets(const StatedDrivetrain& in) {
+std::vector<NamedSet> bearing_sets(const StatedDrivetrain& in) {
   if (in.has_pairs()) return planets_of_pairs(in);
   if (in.is_single()) return {single_bearing_set(in)};
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
   const gearset::Drive drive = drive_of(in);
-  std::vector<study::NamedSet> sets;
+  std::vector<NamedSet> sets;
   for (std::size_t i = 0; i < in.sets.size(); ++i) {
     const auto& [name, set] = in.sets[i];
     if (!set.has_bearing()) continue;
-    study::PlanetaryDrivetrain drivetrain = arranged_drivetrain(set, drive, flow.sets[i]);
+    PlanetaryDrivetrain drivetrain = arranged_drivetrain(set, drive, flow.sets[i]);
     drivetrain.mesh_variation = false;  // gears of several sets do not move yet: they share loads at rest
-    drivetrain.gear_set = study::gears_built_once(drivetrain, set.gears);
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    drivetrain.gear_set = gears_built_once(drivetrain, set.gears);
+    const DrivetrainGeometry geometry = derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});
   }
   return sets;
 }
 
-std::vector<study::NamedSet> stated_sets(const StatedDrivetrain& in) {
-  std::vector<study::NamedSet> sets;
+std::vector<NamedSet> stated_sets(const StatedDrivetrain& in) {
+  std::vector<NamedSet> sets;
   for (const auto& [name, set] : in.sets)
     if (!in.is_single() || set.has_teeth() || set.has_bearing())
       sets.push_back({name, drivetrain_of(set, in.is_single() ? drive_of(in) : in.drive), {}});
   return sets;
 }
 
-std::vector<study::NamedSet> sets_without_bearing(const StatedDrivetrain& in) {
-  std::vector<study::NamedSet> sets;
+std::vector<NamedSet> sets_without_bearing(const StatedDrivetrain& in) {
+  std::vector<NamedSet> sets;
   if (in.is_single()) return sets;
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
   const gearset::Drive drive = drive_of(in);
   for (std::size_t i = 0; i < in.sets.size(); ++i) {
     if (in.sets[i].set.has_bearing()) continue;
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.sets[i].set, drive);
+    PlanetaryDrivetrain drivetrain = drivetrain_of(in.sets[i].set, drive);
     drivetrain.in_arrangement = flow.sets[i];
     sets.push_back({in.sets[i].name, std::move(drivetrain), {}});
   }
   return sets;
 }
 
-study::PlanetaryDrivetrain moving_set(const StatedDrivetrain& in, const std::string& name) {
+PlanetaryDrivetrain moving_set(const StatedDrivetrain& in, const std::string& name) {
   if (in.is_single()) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive_of(in));
-    if (in.single().has_bearing())
-      drivetrain.gear_set = study::gears_built_once(drivetrain, in.single().gears);
+    PlanetaryDrivetrain drivetrain = drivetrain_of(in.single(), drive_of(in));
+    if (in.single().has_bearing()) drivetrain.gear_set = gears_built_once(drivetrain, in.single().gears);
     return drivetrain;
   }
   const auto found = std::ranges::find(in.sets, name, &NamedStatedSet::name);
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(in));
-  study::PlanetaryDrivetrain drivetrain = arranged_drivetrain(
+  PlanetaryDrivetrain drivetrain = arranged_drivetrain(
       found->set, drive_of(in), flow.sets[static_cast<std::size_t>(found - in.sets.begin())]);
   drivetrain.set.fixed_member = held_member_of(in, name).value();
-  drivetrain.gear_set = study::gears_built_once(drivetrain, found->set.gears);
+  drivetrain.gear_set = gears_built_once(drivetrain, found->set.gears);
   return drivetrain;
 }
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bearing/race_waves.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "coupling/analysis/planet_rating.hpp"
 #include "coupling/analysis/power_of_members.hpp"
-#include "coupling/study/multi_stage.hpp"
-#include "coupling/study/set_gears.hpp"
+#include "coupling/analysis/set_gears.hpp"
 #include "gearset/drivetrain/arrangement.hpp"
 #include "gearset/planet_pair.hpp"
 #include "gearset/spatial/spatial_set.hpp"
@@ -33,11 +33,11 @@ struct StatedSet {
   double planet_bore_ratio = 0.7;    // [-]  of a planet without a bearing: bore over module x (teeth - 2.5)
   bearing::PlanetBearingType bearing_type = bearing::PlanetBearingType::cylindrical_roller;
   Complement complement = Complement::caged;
-  study::PlanetaryDrivetrain planets;  // bearings, seats and motion; its gears and drive are beside it
+  PlanetaryDrivetrain planets;  // bearings, seats and motion; its gears and drive are beside it
   bearing::RaceForms forms;
   PlanetRating rating;
   double oil_density = bearing::OilGrade{}.density;  // [kg/m^3]
-  study::SetGears gears;
+  SetGears gears;
   gearset::spatial::CarrierMounting carrier;  // of a single set
 
   bool has_teeth() const { return teeth.sun_teeth > 0; }
@@ -65,8 +65,8 @@ std::string key_in_case(const StatedSet& set, const std::string& key);
 /// empty: none does.
 std::string unequal_loads_by(const StatedSet& set);
 
-/// The set at that drive, without the motion of its gears (study::gears_built_once).
-study::PlanetaryDrivetrain drivetrain_of(const StatedSet& set, const gearset::Drive& drive);
+/// The set at that drive, without the motion of its gears (gears_built_once).
+PlanetaryDrivetrain drivetrain_of(const StatedSet& set, const gearset::Drive& drive);
 
 /// A set with its name; a single one has none.
 struct NamedStatedSet {
@@ -120,17 +120,17 @@ std::vector<std::string> bearing_set_names(const StatedDrivetrain& drivetrain);
 /// The sets with bearings, in the order of the case; of planets in pairs one for each of both. A single set
 /// without bearings is among them.
 /// @throws std::invalid_argument where lists of the carrier's bearings do not fit
-std::vector<study::NamedSet> bearing_sets(const StatedDrivetrain& drivetrain);
+std::vector<NamedSet> bearing_sets(const StatedDrivetrain& drivetrain);
 
 /// All sets, with or without bearings, each driven as a single one; without their gears' motion and what
 /// follows from the inputs.
-std::vector<study::NamedSet> stated_sets(const StatedDrivetrain& drivetrain);
+std::vector<NamedSet> stated_sets(const StatedDrivetrain& drivetrain);
 
 /// The sets without bearings among several, as they are driven.
-std::vector<study::NamedSet> sets_without_bearing(const StatedDrivetrain& drivetrain);
+std::vector<NamedSet> sets_without_bearing(const StatedDrivetrain& drivetrain);
 
 /// One set whose gears and bearings move as one: the single one, or the named one of several, at the speeds
 /// and torques that its members have there.
-study::PlanetaryDrivetrain moving_set(const StatedDrivetrain& drivetrain, const std::string& name);
+PlanetaryDrivetrain moving_set(const StatedDrivetrain& drivetrain, const std::string& name);
 
 }  // namespace orbearing::analysis

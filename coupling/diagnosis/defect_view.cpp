@@ -151,9 +151,8 @@ std::vector<ExpectedLine> bearing_lines(Scratched scratched, bool rollers, const
 
 // Lines of a gear set in the spectra of one instrument; `unit` 1 for hertz, or the carrier's turns a second
 // for its orders.
-std::vector<ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
-                                       const study::PlanetFrequencies& at, bool on_housing, double highest,
-                                       double unit) {
+std::vector<ExpectedLine> planet_lines(const std::vector<Scratched>& scratched, const PlanetFrequencies& at,
+                                       bool on_housing, double highest, double unit) {
   constexpr int common = 1, rare = 2;
   std::vector<ExpectedLine> lines;
   const LineAdder add{lines, highest, unit, 3};
@@ -214,7 +213,7 @@ std::vector<NamedPeak> named_peaks(const Spectrum& spectrum, const PeakSearch& s
 }
 
 // The signal lasts whole turns of the carrier, in each of which whole teeth pass.
-Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, double rate, const study::PlanetFrequencies& at,
+Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, double rate, const PlanetFrequencies& at,
                              bool on_housing) {
   std::vector<double> lines;
   for (int k = 1; k * at.mesh < 0.5 * rate + at.mesh; ++k) {
@@ -261,22 +260,6 @@ PassingFrequencies as_turned(const PassingFrequencies& rolling, int elements, do
   return turned;
 }
 
-study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling,
-                                   const study::PlanetVibration& motion, int rollers, bool run_up) {
-  study::PlanetFrequencies turned = rolling;
-  if (run_up) {
-    const double share = std::abs(motion.planet_speed) / (two_pi * rolling.planet);
-    for (double* one : {&turned.carrier, &turned.planet, &turned.mesh}) *one *= share;
-    turned.bearing = slower(rolling.bearing, share);
-  }
-  PassingFrequencies& at = turned.bearing;
-  at.cage = std::abs(motion.cage_speed) / two_pi;
-  at.outer_pass = rollers * std::abs(motion.planet_speed - motion.cage_speed) / two_pi;
-  at.inner_pass = rollers * at.cage;
-  at.element_pass = 2.0 * std::abs(motion.roller_speed - motion.cage_speed) / two_pi;
-  return turned;
-}
-
 InstrumentView bearing_view(const Eigen::ArrayXd& signal, const Reading& reading, double natural_frequency,
                             Scratched scratched, bool rollers, const PassingFrequencies& rolling,
                             const PassingFrequencies& turned) {
@@ -293,8 +276,8 @@ InstrumentView bearing_view(const Eigen::ArrayXd& signal, const Reading& reading
 }
 
 InstrumentView planet_view(const Eigen::ArrayXd& signal, const Reading& reading, bool on_housing,
-                           const std::vector<Scratched>& scratched, const study::PlanetFrequencies& rolling,
-                           const study::PlanetFrequencies& turned) {
+                           const std::vector<Scratched>& scratched, const PlanetFrequencies& rolling,
+                           const PlanetFrequencies& turned) {
   constexpr double passes_shown = 4.0, narrowest = 2.0;  // bands hold a line and its neighbours
   const double pass = fastest_pass(turned.bearing), unit = reading.angle ? turned.carrier : 1.0;  // [Hz]
   InstrumentView view =

@@ -9,8 +9,8 @@
 
 #include "bearing/defect/scratch.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
+#include "coupling/diagnosis/planet_frequencies.hpp"
 #include "coupling/diagnosis/spectrum.hpp"
-#include "coupling/study/planet_scratch.hpp"
 
 namespace orbearing::diagnosis {
 
@@ -44,10 +44,6 @@ bearing::defect::PassingFrequencies slower(const bearing::defect::PassingFrequen
 /// Elements pass where the cage takes them, whatever its slip; `cage_speed` [rad/s].
 bearing::defect::PassingFrequencies as_turned(const bearing::defect::PassingFrequencies& rolling,
                                               int elements, double cage_speed);
-/// The same of a planet's bearing; in a run-up, which passes all speeds at the same ratios, at the mean
-/// speed.
-study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling,
-                                   const study::PlanetVibration& motion, int rollers, bool run_up);
 
 /// A peak of a spectrum and what it is: "inner race defect - shaft".
 struct NamedPeak {
@@ -85,7 +81,7 @@ InstrumentView bearing_view(const Eigen::ArrayXd& signal, const Reading& reading
 /// is that of the signal less the lines of the teeth, except in a run-up, whose orders are the carrier's.
 InstrumentView planet_view(const Eigen::ArrayXd& signal, const Reading& reading, bool on_housing,
                            const std::vector<bearing::defect::Scratched>& scratched,
-                           const study::PlanetFrequencies& rolling, const study::PlanetFrequencies& turned);
+                           const PlanetFrequencies& rolling, const PlanetFrequencies& turned);
 
 /// NaN where none of them is that.
 double peak_frequency(const std::vector<NamedPeak>& peaks, const std::string& is);

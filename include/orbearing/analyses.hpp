@@ -12,14 +12,14 @@
 
 #include "coupling/analysis/bearing_under_load.hpp"
 #include "coupling/analysis/gear_modes.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "coupling/analysis/set_meshes.hpp"
-#include "coupling/study/operating_point.hpp"
 #include "mechanics/described.hpp"
 #include "orbearing/case.hpp"
 
 namespace orbearing {
 
-using study::Fidelity;
+using analysis::Fidelity;
 
 /// One turn a minute, for speeds: 6000 * rpm. [rad/s]
 inline constexpr double rpm = described::dimension::kTurn;
@@ -33,7 +33,7 @@ struct Warned {
 
 /// The operating point that a drivetrain states, its sweep left out. The governing life of the worst bearing
 /// is `governing_life_hours`.
-struct OperatingPoint : study::PointResult {
+struct OperatingPoint : analysis::PointResult {
   double governing_life_hours = 0.0;  // [h]
 };
 Warned<OperatingPoint> quasi_static(const Case& drivetrain);
@@ -42,7 +42,7 @@ Warned<OperatingPoint> in_motion(const Case& drivetrain, Fidelity fidelity = Fid
 
 /// The points of a sweep, in the order of their table.
 struct Sweep {
-  std::vector<study::PointRow> points;
+  std::vector<analysis::PointRow> points;
   std::vector<double> governing_life_hours;  // [h]  (points)  not a number: the point has none
   std::optional<std::size_t> longest_lived;  // the point with the longest life; none: no point has one
   std::string life;                          // key of the governing life among results, as "L10mrh"

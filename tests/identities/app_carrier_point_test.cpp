@@ -13,8 +13,8 @@
 namespace orbearing::app::carrier_point_test {
 namespace {
 
-using study::BearingOverRevolution;
-using study::CarrierRevolution;
+using analysis::BearingOverRevolution;
+using analysis::CarrierRevolution;
 
 const std::vector<std::string> kHeld{"gearset.carrier.bearing_positions=[-60 mm, 60 mm]",
                                      "gearset.carrier.bearing_stiffness=[5e8 N/m, 5e8 N/m]"};
@@ -24,9 +24,9 @@ ResolvedCase case_of(const std::string& name, std::vector<std::string> settings)
   return read_point(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings);
 }
 
-CarrierRevolution revolution_of(const ResolvedCase& in, const study::RevolutionOptions& options = {}) {
-  const study::NamedSet set = bearing_sets(in).front();
-  return study::carrier_revolution(set.drivetrain, set.geometry, options);
+CarrierRevolution revolution_of(const ResolvedCase& in, const analysis::RevolutionOptions& options = {}) {
+  const analysis::NamedSet set = bearing_sets(in).front();
+  return analysis::carrier_revolution(set.drivetrain, set.geometry, options);
 }
 
 // Spur gears, no weight, no clearance, no rotor: all bearings carry the loads of the plane model, all the
@@ -36,7 +36,7 @@ TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
     std::vector<std::string> settings{"gearset.carrier.gravity=0 m/s2"};
     if (cut) settings.emplace_back("bearing.laminae=30");
     const ResolvedCase in = case_of("reducer_150kW", settings);
-    const study::PointResult point = study::evaluate(bearing_sets(in));
+    const analysis::PointResult point = analysis::evaluate(bearing_sets(in));
     ASSERT_TRUE(point.carrier);
     ASSERT_EQ(point.carrier->bearings.size(), 8u);
     for (const BearingOverRevolution& one : point.carrier->bearings) {
@@ -62,9 +62,9 @@ TEST(CarrierPoint, BearingsOnAPinThatBendsShareAsInThePlane) {
         {"gearset.carrier.gravity=0 m/s2", "gearset.helix_angle=0 deg",
          "gearset.carrier.bearing_clearance=[0 um, 0 um]", "gearset.carrier.rotor_moment=[0 N.m, 0 N.m]",
          "gearset.face_width=400 mm", "bearing.per_planet=" + std::to_string(bearings)});
-    const study::PointResult point = study::evaluate(bearing_sets(in));
+    const analysis::PointResult point = analysis::evaluate(bearing_sets(in));
     ASSERT_TRUE(point.carrier);
-    const auto hours = [](const study::SeatResult& seat) { return seat.rated_hours.basic; };
+    const auto hours = [](const analysis::SeatResult& seat) { return seat.rated_hours.basic; };
     const double shortest = hours(*std::ranges::min_element(point.seats, {}, hours));
     EXPECT_NEAR(point.carrier->worst().rated_hours.basic / shortest, 1.0, 0.2);
     EXPECT_GT(point.carrier->largest_share(), 1.2);
@@ -73,7 +73,7 @@ TEST(CarrierPoint, BearingsOnAPinThatBendsShareAsInThePlane) {
 
 TEST(CarrierPoint, ACaseWithoutBearingsOfTheCarrierHasNone) {
   const ResolvedCase in = read_point(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", {});
-  EXPECT_FALSE(study::evaluate(bearing_sets(in)).carrier);
+  EXPECT_FALSE(analysis::evaluate(bearing_sets(in)).carrier);
   // Nor has one whose planets bend.
   EXPECT_FALSE(bearing_sets(case_of("reducer_150kW", {"gearset.planet_rim=elastic"}))
                    .front()
@@ -87,15 +87,15 @@ const std::vector<std::string> kSagging{"gearset.carrier.bearing_clearance=[80 u
 // Planets at equal steps require one step; pin errors of zero require the whole revolution.
 TEST(CarrierPoint, PlanetsThatAreAlikeMeetTheSameLoadsInTurn) {
   const ResolvedCase in = case_of("reducer_150kW", kSagging);
-  const study::NamedSet set = bearing_sets(in).front();
-  study::PlanetaryDrivetrain unlike = set.drivetrain;
+  const analysis::NamedSet set = bearing_sets(in).front();
+  analysis::PlanetaryDrivetrain unlike = set.drivetrain;
   unlike.gear_set = [&] {
     auto bodies = set.drivetrain.gear_set();
     bodies.pin_error = Eigen::Matrix2Xd::Zero(2, bodies.planets);
     return bodies;
   };
-  const CarrierRevolution alike = study::carrier_revolution(set.drivetrain, set.geometry),
-                          each = study::carrier_revolution(unlike, set.geometry);
+  const CarrierRevolution alike = analysis::carrier_revolution(set.drivetrain, set.geometry),
+                          each = analysis::carrier_revolution(unlike, set.geometry);
   ASSERT_EQ(alike.load.rows(), each.load.rows());
   EXPECT_GT(alike.load.maxCoeff() / alike.load.minCoeff(), 1.05);
   EXPECT_LT((alike.load - each.load).abs().maxCoeff(), 1e-7 * each.load.maxCoeff());
@@ -138,9 +138,9 @@ TEST(CarrierPoint, LivesHoldOnFinerSteps) {
 
 // The row shows the worst of all bearings.
 TEST(CarrierPoint, TheRowShowsTheWorstBearing) {
-  const study::PointResult point = study::evaluate(bearing_sets(case_of("reducer_150kW", kSagging)));
+  const analysis::PointResult point = analysis::evaluate(bearing_sets(case_of("reducer_150kW", kSagging)));
   described::Record record;
-  study::describe_row(record, point);
+  analysis::describe_row(record, point);
   const auto value = [&](const std::string& name) {
     return std::get<described::Numbers>(record.entry(name).content).values.front();
   };

@@ -7,16 +7,16 @@
 
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/driven_setups.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/driven_setups.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::app::full_complement_test {
 namespace {
 
-using study::Fidelity;
-using study::PointResult;
+using analysis::Fidelity;
+using analysis::PointResult;
 
 // On the pin and in the bore of two planets; few windows and coarse steps, since only the completion of the
 // run is tested.
@@ -51,14 +51,14 @@ struct Rung {
 class EveryRung : public testing::TestWithParam<Rung> {
  protected:
   PointResult at_rung(const std::string& bearing) const {
-    const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
-    return study::evaluate(set.drivetrain, set.geometry, GetParam().fidelity);
+    const analysis::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
+    return analysis::evaluate(set.drivetrain, set.geometry, GetParam().fidelity);
   }
   // Rollers in motion carry the quasi-static loads but for traction and the share that `shaken` allows for
   // vibration.
   void expect_loads_at_rest(const std::string& bearing, const PointResult& moving, double shaken) const {
-    const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
-    const PointResult still = study::evaluate(set.drivetrain, set.geometry);
+    const analysis::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
+    const PointResult still = analysis::evaluate(set.drivetrain, set.geometry);
     EXPECT_NEAR(moving.outer.load_rms / still.outer.load_rms, 1.0, shaken);
     EXPECT_GT(moving.life_hours, 0.0);
     EXPECT_LT(moving.life_hours, 2.0 * still.life_hours);
@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Rungs, EveryRung,
 
 // Participant in an FMU: outputs name no cage, and a saved state continues to the same bits.
 TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
-  const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
-  system::DrivenBearing bearing(study::driven_bearing_setup(set.drivetrain, set.geometry));
+  const analysis::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
+  system::DrivenBearing bearing(analysis::driven_bearing_setup(set.drivetrain, set.geometry));
   std::vector<std::string> names;
   for (const system::Output& output : bearing.outputs()) names.push_back(output.name);
   EXPECT_THAT(names, testing::Contains("rollers.speed"));
@@ -132,9 +132,9 @@ TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
 
 // Such a state has no gears, but the bearing moves with them.
 TEST(FullComplementStart, IsRefused) {
-  const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
+  const analysis::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
   EXPECT_REFUSED(std::invalid_argument, "full_complement 1",
-                 study::evaluate_from(set.drivetrain, set.geometry, Eigen::VectorXd::Zero(86)));
+                 analysis::evaluate_from(set.drivetrain, set.geometry, Eigen::VectorXd::Zero(86)));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
 namespace orbearing::app::app_mounted_clearance_test {
@@ -32,19 +32,20 @@ std::vector<std::string> with(std::vector<std::string> settings, const std::stri
 }
 
 // The same bearing with the clearance that was found, stated as that of the running one.
-std::string stated(const study::PointResult& point) {
+std::string stated(const analysis::PointResult& point) {
   return fmt::format("bearing.radial_clearance={} m", point.radial_clearance);
 }
 
-study::PointResult point(const ResolvedCase& in, study::Fidelity fidelity = study::Fidelity::quasi_static) {
-  return study::evaluate(bearing_sets(in), fidelity);
+analysis::PointResult point(const ResolvedCase& in,
+                            analysis::Fidelity fidelity = analysis::Fidelity::quasi_static) {
+  return analysis::evaluate(bearing_sets(in), fidelity);
 }
 
 TEST(StudyMountedClearance, IsFeltLikeAStatedOne) {
-  const study::PointResult mounted = point(reducer(kMounted));
+  const analysis::PointResult mounted = point(reducer(kMounted));
   EXPECT_GT(mounted.radial_clearance, 0.0);
   EXPECT_LT(mounted.radial_clearance, 30e-6);
-  const study::PointResult plain = point(reducer({stated(mounted)}));
+  const analysis::PointResult plain = point(reducer({stated(mounted)}));
   EXPECT_NEAR(mounted.life_hours, plain.life_hours, kRoundOff * plain.life_hours);
 }
 
@@ -53,27 +54,27 @@ TEST(StudyMountedClearance, IsFeltInMotionAndByOneSystem) {
   const auto small = [&](const std::vector<std::string>& settings) {
     return parse_case(text, "small.yaml", settings);
   };
-  for (const study::Fidelity fidelity : {study::Fidelity::dynamic, study::Fidelity::monolithic}) {
-    const study::PointResult mounted = point(small(kMounted), fidelity);
-    const study::PointResult plain = point(small({stated(mounted)}), fidelity);
+  for (const analysis::Fidelity fidelity : {analysis::Fidelity::dynamic, analysis::Fidelity::monolithic}) {
+    const analysis::PointResult mounted = point(small(kMounted), fidelity);
+    const analysis::PointResult plain = point(small({stated(mounted)}), fidelity);
     EXPECT_EQ(mounted.life_hours, plain.life_hours);
     EXPECT_EQ(mounted.dynamic->final_state, plain.dynamic->final_state);
   }
 }
 
 TEST(StudyMountedClearance, FollowsTheSpeed) {
-  const std::vector<study::NamedSet> slow = bearing_sets(reducer(kMounted));
+  const std::vector<analysis::NamedSet> slow = bearing_sets(reducer(kMounted));
   const double fast_speed = 1200.0;  // [rad/s]
-  const study::PointResult fast = study::evaluate(study::at_speed(slow, fast_speed));
+  const analysis::PointResult fast = analysis::evaluate(analysis::at_speed(slow, fast_speed));
   EXPECT_GT(fast.radial_clearance, slow.front().drivetrain.bearing.radial_clearance);
-  const study::PointResult direct =
+  const analysis::PointResult direct =
       point(reducer(with(kMounted, fmt::format("input.speed={} rad/s", fast_speed))));
   EXPECT_NEAR(fast.radial_clearance, direct.radial_clearance, 1e-18);
   EXPECT_NEAR(fast.life_hours, direct.life_hours, kRoundOff * direct.life_hours);
 }
 
 TEST(StudyMountedClearance, IsThatOfEachPointOfACrownStudy) {
-  using namespace study::crowning;
+  using namespace analysis::crowning;
   const auto life = [](const std::vector<std::string>& settings) {
     const CrownProblem problem = problem_of(crown_request(reducer(settings), {}));
     return life_hours(problem, bearing::profile::Straight{}, Lean(1e-3, 0.0));

@@ -13,8 +13,8 @@
 #include "app/study/planetary_case.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "bearing/motion/vector_bearing.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
-#include "coupling/study/operating_point.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "mechanics/constants.hpp"
 
@@ -120,8 +120,8 @@ class Passages {
   }
 
  private:
-  static study::PlanetaryDrivetrain drivetrain_of(const PassageDuty& duty) {
-    study::PlanetaryDrivetrain drivetrain = app::drivetrain_of(
+  static analysis::PlanetaryDrivetrain drivetrain_of(const PassageDuty& duty) {
+    analysis::PlanetaryDrivetrain drivetrain = app::drivetrain_of(
         app::read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml",
                        {"film.enabled=true", "contact.squeeze=true", "gearset.mesh_variation=false"}));
     drivetrain.drive.speed = duty.speed * two_pi / 60.0;
@@ -130,12 +130,12 @@ class Passages {
     if (duty.oil_in_pockets) drivetrain.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     return drivetrain;
   }
-  Passages(const study::PlanetaryDrivetrain& drivetrain, double error)
-      : Passages(drivetrain, study::derive(drivetrain), error) {}
-  Passages(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
+  Passages(const analysis::PlanetaryDrivetrain& drivetrain, double error)
+      : Passages(drivetrain, analysis::derive(drivetrain), error) {}
+  Passages(const analysis::PlanetaryDrivetrain& drivetrain, const analysis::DrivetrainGeometry& geometry,
            double error)
-      : Passages(drivetrain.bearing, study::bearing_duty(drivetrain, geometry).point,
-                 study::bearing_dynamics(drivetrain, geometry),
+      : Passages(drivetrain.bearing, analysis::bearing_duty(drivetrain, geometry).point,
+                 analysis::bearing_dynamics(drivetrain, geometry),
                  error * drivetrain.steady_state.allowed_length_error) {}
   Passages(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
            const bearing::motion::DynamicsParameters& dynamics, double length_error)

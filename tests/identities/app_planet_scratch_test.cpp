@@ -11,8 +11,8 @@
 
 #include "app/case/case_file.hpp"
 #include "app/study/scratch_case.hpp"
+#include "coupling/analysis/driven_setups.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
-#include "coupling/study/driven_setups.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/full.hpp"
 #include "tests/many_scratches.hpp"
@@ -180,8 +180,8 @@ TEST(PlanetScratch, WhatCannotBeIsRefused) {
   refused({"defect.width=3 mm"}, "half a roller diameter");
   refused({"defect.form=as-printed"}, "continuous form");
 
-  const study::PlanetaryDrivetrain drivetrain = example::coupled_reducer(true);
-  system::CoupledSetup setup = study::coupled_setup(drivetrain, study::derive(drivetrain));
+  const analysis::PlanetaryDrivetrain drivetrain = example::coupled_reducer(true);
+  system::CoupledSetup setup = analysis::coupled_setup(drivetrain, analysis::derive(drivetrain));
   setup.scratched = {{.planet = 0, .bearing = 0, .scratches = test::scratched_races()}};
   EXPECT_THROW((void)cosim::planetary_coupling(setup), std::invalid_argument);
   bearing::motion::BearingModel model = system::coupled_model(setup).bearing;

@@ -10,8 +10,8 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/life/life_modification.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 
 namespace orbearing::app::app_rated_oil_test {
 namespace {
@@ -23,14 +23,14 @@ ResolvedCase reducer(const std::vector<std::string>& settings) {
   return read_point(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings);
 }
 
-study::PointResult point(const std::vector<std::string>& settings) {
-  return study::evaluate(bearing_sets(reducer(settings)), study::Fidelity::quasi_static);
+analysis::PointResult point(const std::vector<std::string>& settings) {
+  return analysis::evaluate(bearing_sets(reducer(settings)), analysis::Fidelity::quasi_static);
 }
 
 const std::string kGrade = "lubricant.grade=ISO VG 220", kWarm = "lubricant.temperature=80 degC";
 
 TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
-  const study::PointResult plain = point({}), rated = point({kGrade, kWarm, "life.cleanliness=high"});
+  const analysis::PointResult plain = point({}), rated = point({kGrade, kWarm, "life.cleanliness=high"});
   EXPECT_FALSE(plain.rating.lives.oil);
   ASSERT_TRUE(rated.rating.lives.oil);
   EXPECT_TRUE(std::isnan(plain.rating.hours.modified) && std::isnan(plain.rating.hours.modified_reference));
@@ -46,8 +46,8 @@ TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
     EXPECT_NEAR(rated.rating.system_hours.*life / hours.*life, rated.system_life_hours / rated.life_hours,
                 1e-12);
   const ResolvedCase in = reducer({kGrade, kWarm});
-  const study::PlanetaryDrivetrain set = drivetrain_of(in);
-  const auto duty = study::bearing_duty(set, study::derive(set));
+  const analysis::PlanetaryDrivetrain set = drivetrain_of(in);
+  const auto duty = analysis::bearing_duty(set, analysis::derive(set));
   const double required = bearing::rating::required_viscosity(
       bearing::rotating_speed(set.bearing, duty.point), set.bearing.pitch_diameter);
   EXPECT_NEAR(rated.rating.lives.oil->viscosity_ratio,
@@ -132,8 +132,8 @@ TEST(RatedOil, OilsOfWhichNothingIsKnownAreRefused) {
 // One planet like the other gives the product law of all bearings; so does motion in time.
 TEST(RatedOil, MotionIsRatedByTheSameLaw) {
   const ResolvedCase in = reducer({kGrade, kWarm, "simulation.observed_revolutions=2"});
-  const study::PointResult moving = study::evaluate(bearing_sets(in), study::Fidelity::dynamic);
-  const study::PointResult rest = point({kGrade, kWarm});
+  const analysis::PointResult moving = analysis::evaluate(bearing_sets(in), analysis::Fidelity::dynamic);
+  const analysis::PointResult rest = point({kGrade, kWarm});
   const bearing::rating::RatingLives& lives = moving.rating.lives;
   ASSERT_TRUE(lives.oil);
   EXPECT_NEAR(lives.oil->viscosity_ratio, rest.rating.lives.oil->viscosity_ratio, 1e-12);
@@ -152,13 +152,13 @@ TEST(RatedOil, OfSeveralSetsAllCountTogether) {
   const ResolvedCase in = read_point(ORBEARING_SOURCE_DIR "/cases/three_sets_150kW/case.yaml",
                                      {kGrade, kWarm, "life.cleanliness=high"});
   const auto sets = bearing_sets(in);
-  const study::PointResult all = study::evaluate(sets, study::Fidelity::quasi_static);
+  const analysis::PointResult all = analysis::evaluate(sets, analysis::Fidelity::quasi_static);
   ASSERT_EQ(all.sets.size(), sets.size());
   ASSERT_GT(sets.size(), 1u);
   for (const auto life : bearing::rating::kRatedHours) {
     double damage = 0.0;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-      const study::PlanetaryDrivetrain& set = sets[i].drivetrain;
+      const analysis::PlanetaryDrivetrain& set = sets[i].drivetrain;
       damage +=
           set.set.planets * set.bearings_per_planet * std::pow(all.sets[i].rating.hours.*life, -9.0 / 8.0);
     }
@@ -168,14 +168,14 @@ TEST(RatedOil, OfSeveralSetsAllCountTogether) {
 
 // The crown study rates what a sweep of the same rollers rates.
 TEST(RatedOil, CrownsAreRatedAsInASweep) {
-  using namespace study::crowning;
+  using namespace analysis::crowning;
   const std::vector<std::string> settings{kGrade,
                                           kWarm,
                                           "life.cleanliness=medium",
                                           "bearing.laminae=40",
                                           "bearing.profile.kind=straight",
                                           "bearing.misalignment.planet_tilt=0.3 mrad"};
-  const study::PointResult swept = point(settings);
+  const analysis::PointResult swept = point(settings);
   const CrownProblem problem = problem_of(crown_request(reducer(settings), {}));
   const CrownPoint crown =
       crown_grid(problem, RollerPressure(problem), {bearing::profile::Profile{}}, {0.0}, {0.3e-3}, 1, {})

@@ -8,7 +8,7 @@
 #include "app/results/sweep_run.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/sweep_study.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
 namespace orbearing::app::app_spectrum_test {
@@ -146,7 +146,7 @@ TEST(LoadSpectra, OfSeveralSetsIsOneForEach) {
 
 // One mechanism: the life of a crown under the spectrum is Miner's sum of its lives at the bins.
 TEST(LoadSpectra, IsWhatACrownStudyLivesUnder) {
-  using namespace study::crowning;
+  using namespace analysis::crowning;
   const auto problem = [](const std::string& rows) {
     return problem_of(crown_request(reducer({"spectrum=" + rows}), {}));
   };

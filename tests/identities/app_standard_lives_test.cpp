@@ -14,7 +14,7 @@
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "bearing/life/rating_lives.hpp"
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
 namespace orbearing::app::app_standard_lives_test {
@@ -27,8 +27,9 @@ ResolvedCase reducer(const std::vector<std::string>& settings) {
   return read_point(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings);
 }
 
-study::PointResult point(const ResolvedCase& in, study::Fidelity fidelity = study::Fidelity::quasi_static) {
-  return study::evaluate(bearing_sets(in), fidelity);
+analysis::PointResult point(const ResolvedCase& in,
+                            analysis::Fidelity fidelity = analysis::Fidelity::quasi_static) {
+  return analysis::evaluate(bearing_sets(in), fidelity);
 }
 
 // By hand, in N and mm: 15 rollers of 5.24 x 5.7 on 35.64: C0 = 44 (1 - gamma) Z l D = 16,815 N, C_u = C0/8.2
@@ -36,8 +37,9 @@ study::PointResult point(const ResolvedCase& in, study::Fidelity fidelity = stud
 // 0.9987/35.64^(1/3)) = 0.551; a_ISO = 0.1 [1 - (1.5859 - 1.2348/4^0.071739)(0.551 * 2051/2781)^0.4]^-9.185
 // = 3.77.
 TEST(StandardLives, OfTheReducerByHand) {
-  const study::PointResult at = point(reducer({"input.speed=12000 rpm", "lubricant.grade=ISO VG 220",
-                                               "lubricant.temperature=80 degC", "life.cleanliness=-/15/12"}));
+  const analysis::PointResult at =
+      point(reducer({"input.speed=12000 rpm", "lubricant.grade=ISO VG 220", "lubricant.temperature=80 degC",
+                     "life.cleanliness=-/15/12"}));
   const RatingLives& lives = at.rating.lives;
   EXPECT_NEAR(lives.static_capacity, 16815.0, 1.0);
   EXPECT_NEAR(lives.fatigue_load_limit, 2051.0, 1.0);
@@ -103,7 +105,7 @@ life: {viscosity_ratio: 1, contamination_factor: 0.8}
 
 // The same bearing under the same load: as a planet's, and as a single one by its own loads.
 TEST(StandardLives, OfAPlanetBearingAreThoseOfTheSingleOne) {
-  const study::PointResult planet = point(parse_case(kPlanet, "planet.yaml", {}));
+  const analysis::PointResult planet = point(parse_case(kPlanet, "planet.yaml", {}));
   const double load = planet.planet_load;
   const ResolvedCase in = parse_case(kSingle, "single.yaml", {"load.radial=" + std::to_string(load) + " N"});
   const auto inputs = machine_of<analysis::RollersUnderLoad>(in);
@@ -135,14 +137,14 @@ TEST(StandardLives, OfWholeContactsAreThoseOfThirtyLaminae) {
   const std::vector<std::string> oil{"lubricant.grade=ISO VG 220", "lubricant.temperature=80 degC"};
   std::vector<std::string> cut = oil;
   cut.insert(cut.end(), {"bearing.laminae=30", "bearing.profile.kind=straight"});
-  const study::PointResult whole = point(reducer(oil)), laminae = point(reducer(cut));
+  const analysis::PointResult whole = point(reducer(oil)), laminae = point(reducer(cut));
   for (const auto life : bearing::rating::kRatedHours)
     EXPECT_NEAR(laminae.rating.hours.*life / whole.rating.hours.*life, 1.0, 1e-6);
 }
 
 // All lives are of one bearing of eight equal ones.
 TEST(StandardLives, OfEightBearingsByTheProductLaw) {
-  const study::PointResult at = point(reducer({}));
+  const analysis::PointResult at = point(reducer({}));
   for (const auto life : {&RatedHours::basic, &RatedHours::reference})
     EXPECT_NEAR(at.rating.system_hours.*life, at.rating.hours.*life * std::pow(8.0, -8.0 / 9.0),
                 1e-9 * at.rating.hours.*life);
@@ -150,11 +152,11 @@ TEST(StandardLives, OfEightBearingsByTheProductLaw) {
 
 // One planet carries more: each planet has a load and lives of its own, and the system all of them.
 TEST(StandardLives, OfPlanetsThatLoadUnevenly) {
-  const study::PointResult at =
+  const analysis::PointResult at =
       point(reducer({"gearset.dynamics.pin_error.tangential=[10 um, 0 um, 0 um, 0 um]"}));
   ASSERT_EQ(at.planets.size(), 4u);
   double damage = 0.0, mean_power = 0.0, largest = 0.0;
-  for (const study::PlanetResult& planet : at.planets) {
+  for (const analysis::PlanetResult& planet : at.planets) {
     // P of each from its L10: C (L10 in Mrev)^(-3/10).
     const double ratio = planet.rated_hours.basic / at.rating.hours.basic;
     const double load = at.rating.lives.dynamic_load * std::pow(ratio, -0.3);
@@ -173,7 +175,7 @@ TEST(StandardLives, OfPlanetsThatLoadUnevenly) {
 
 // Two bearings of a planet whose tilt is computed, one with more clearance: each is rated by its own share.
 TEST(StandardLives, OfBearingsThatShareAPlanetUnevenly) {
-  const study::PointResult at =
+  const analysis::PointResult at =
       point(reducer({"bearing.laminae=30", "bearing.profile.kind=straight", "bearing.tilt_state=computed",
                      "bearing.clearance_differences=[0 um, 10 um]"}));
   ASSERT_EQ(at.seats.size(), 2u);
@@ -184,7 +186,7 @@ TEST(StandardLives, OfBearingsThatShareAPlanetUnevenly) {
     EXPECT_NEAR(at.rating.system_hours.*life / std::pow(damage, -8.0 / 9.0), 1.0, 1e-10);
   }
   double power = 0.0;
-  for (const study::SeatResult& seat : at.seats) {
+  for (const analysis::SeatResult& seat : at.seats) {
     const double load = seat.load;
     const double by_hand = at.rating.hours.basic * std::pow(at.rating.lives.dynamic_load / load, 10.0 / 3.0);
     EXPECT_NEAR(seat.rated_hours.basic / by_hand, 1.0, 1e-9);
@@ -205,10 +207,10 @@ TEST(StandardLives, OfEveryRungOfMotion) {
     return parse_case(fields_test::bases().front().text, "small.yaml", settings);
   };
   const ResolvedCase in = small({"lubricant.grade=ISO VG 220"});
-  const study::PointResult rest = point(in);
-  for (const study::Fidelity fidelity :
-       {study::Fidelity::dynamic, study::Fidelity::co_simulated, study::Fidelity::monolithic}) {
-    const study::PointResult moving = point(in, fidelity);
+  const analysis::PointResult rest = point(in);
+  for (const analysis::Fidelity fidelity :
+       {analysis::Fidelity::dynamic, analysis::Fidelity::co_simulated, analysis::Fidelity::monolithic}) {
+    const analysis::PointResult moving = point(in, fidelity);
     const int rung = static_cast<int>(fidelity);
     constexpr double unlike_planets = 1e-2;  // of a run of a few passages
     EXPECT_NEAR(moving.rating.hours.basic / rest.rating.hours.basic, 1.0, unlike_planets) << rung;
@@ -227,8 +229,8 @@ TEST(StandardLives, OfEveryRungOfMotion) {
 
 // Stated ratings take the place of those of the standards: L10 by C and P of a published gearbox.
 TEST(StandardLives, WithTheMakersRatings) {
-  const study::PointResult plain = point(reducer({}));
-  const study::PointResult stated =
+  const analysis::PointResult plain = point(reducer({}));
+  const analysis::PointResult stated =
       point(reducer({"bearing.dynamic_capacity=20 kN", "bearing.static_capacity=30 kN",
                      "bearing.fatigue_load_limit=4 kN"}));
   EXPECT_EQ(stated.rating.lives.dynamic_capacity, 20e3);
@@ -240,7 +242,7 @@ TEST(StandardLives, WithTheMakersRatings) {
   EXPECT_NEAR(stated.rating.hours.reference / plain.rating.hours.reference,
               std::pow(20e3 / plain.rating.lives.dynamic_capacity, 4.0), 1e-8);
   EXPECT_EQ(stated.life_hours, plain.life_hours);  // Lundberg and Palmgren's own capacities
-  const study::PointResult half = point(reducer({"bearing.static_capacity=8.2 kN"}));
+  const analysis::PointResult half = point(reducer({"bearing.static_capacity=8.2 kN"}));
   EXPECT_NEAR(half.rating.lives.fatigue_load_limit, 1e3, 1e-9);  // C0/8.2
 }
 
@@ -259,9 +261,9 @@ TEST(StandardLives, TheLifeToGoByIsChosen) {
   for (const char* method : {"lundberg-palmgren", "iso-281", "iso-16281"})
     for (const std::vector<std::string>& settings : {std::vector<std::string>{}, {oil}}) {
       const ResolvedCase in = at(settings, method);
-      const study::PointResult one = point(in);
+      const analysis::PointResult one = point(in);
       const ManifestHeader header = sweep_request(in, "quasi-static").header;
-      EXPECT_EQ(in_table_unit(study::governing_hours(one), 1.0),
+      EXPECT_EQ(in_table_unit(analysis::governing_hours(one), 1.0),
                 governing_hours(header, sweep_row(one, header).point))
           << method;
     }

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/study/driven_setups.hpp"
+#include "coupling/analysis/driven_setups.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "tests/coupled_reducer.hpp"
 
 namespace orbearing::cosim::cosim_reducer_test {
 namespace {
 
-using study::DrivetrainGeometry;
-using study::PlanetaryDrivetrain;
+using analysis::DrivetrainGeometry;
+using analysis::PlanetaryDrivetrain;
 
 // Rollers oscillate between their races within 10 us: an order is visible in windows far shorter than that.
 constexpr double kPath = 16e-6;   // [s]
@@ -29,7 +29,7 @@ struct Tolerances {
 const Tolerances kTight{1e-9, 1e-15};
 
 system::CoupledSetup setup_of(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances) {
-  system::CoupledSetup setup = study::coupled_setup(drivetrain, study::derive(drivetrain));
+  system::CoupledSetup setup = analysis::coupled_setup(drivetrain, analysis::derive(drivetrain));
   setup.gears.allowed_share = tolerances.gears;
   setup.bearing.allowed_length_error = tolerances.bearing;
   return setup;
@@ -202,7 +202,7 @@ TEST(CosimReducer, PlanetsCanBeRenamed) {
 TEST(CosimReducer, BeginsInBalance) {
   const PlanetaryDrivetrain& drivetrain = smooth_reducer();
   ReducerRun reducer(drivetrain, {}, default_value(1e-6));
-  const gearset::MeanLoads loads = bearing_duty(drivetrain, study::derive(drivetrain)).gears;
+  const gearset::MeanLoads loads = bearing_duty(drivetrain, analysis::derive(drivetrain)).gears;
   const gearset::dynamics::SetParameters gears = drivetrain.gear_set();
   const double centrifugal =
       gears.planet.mass * loads.carrier_speed * loads.carrier_speed * gears.carrier.radius;

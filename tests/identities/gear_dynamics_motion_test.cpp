@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "coupling/study/gear_dynamics.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
 #include "gearset/dynamics/energy.hpp"
 #include "gearset/dynamics/static_state.hpp"
 #include "gearset/mean_loads.hpp"
@@ -252,8 +252,8 @@ TEST(GearDynamicsLimits, ASingleMeshSwingsAsOneFreedom) {
 
 class GearRun : public testing::Test {
  protected:
-  static study::GearRunOptions options() {
-    study::GearRunOptions out;
+  static analysis::GearRunOptions options() {
+    analysis::GearRunOptions out;
     out.observed_periods = 20;
     out.window_periods = 20;
     return out;
@@ -262,12 +262,12 @@ class GearRun : public testing::Test {
 
 // Planet n does what planet 0 does a phase step earlier: all planets of a run have the same statistics.
 TEST_F(GearRun, PlanetsOfEqualPhaseStepsAreAlike) {
-  const study::GearRunResult result =
+  const analysis::GearRunResult result =
       run_gears(set_model(test::reducer_dynamics(), test::reducer_operation(628.0)), options());
   ASSERT_TRUE(result.completed) << result.message;
   EXPECT_TRUE(result.steady);
-  const study::PlanetStatistics& first = result.planets.front();
-  for (const study::PlanetStatistics& planet : result.planets) {
+  const analysis::PlanetStatistics& first = result.planets.front();
+  for (const analysis::PlanetStatistics& planet : result.planets) {
     // Tolerance for the drift between two windows and for the allowed error of the steps.
     EXPECT_NEAR(planet.radial_acceleration.rms, first.radial_acceleration.rms,
                 2e-2 * first.radial_acceleration.rms);
@@ -284,13 +284,13 @@ TEST_F(GearRun, MeansAreThoseOfTheTorqueBalance) {
   for (const double rpm : {1000.0, 6000.0, 12000.0}) {
     const SetModel model =
         set_model(test::reducer_dynamics(), test::reducer_operation(rpm * 2.0 * M_PI / 60.0));
-    study::GearRunOptions default_value;
+    analysis::GearRunOptions default_value;
     default_value.observed_periods = 100;
-    const study::GearRunResult result = run_gears(model, default_value);
+    const analysis::GearRunResult result = run_gears(model, default_value);
     ASSERT_TRUE(result.completed) << result.message;
     const double force =
         model.operation.torques.sun / (model.parameters.planets * model.parameters.sun.radius);
-    for (const study::PlanetStatistics& planet : result.planets) {
+    for (const analysis::PlanetStatistics& planet : result.planets) {
       EXPECT_NEAR(planet.sun_mesh_force.mean, force, kForce * force) << rpm << " rpm";
       EXPECT_NEAR(planet.ring_mesh_force.mean, force, kForce * force) << rpm << " rpm";
       EXPECT_NEAR(planet.radial_acceleration.mean, 0.0, kAcceleration) << rpm << " rpm";
@@ -302,12 +302,12 @@ TEST_F(GearRun, MeansAreThoseOfTheTorqueBalance) {
 // The harmonics hold phase and amplitude: they rebuild the series, whose samples lie elsewhere, up to the
 // orders left out.
 TEST_F(GearRun, HarmonicsRebuildTheSeries) {
-  study::GearRunOptions many = options();
+  analysis::GearRunOptions many = options();
   many.harmonics = 40;
   const SetModel model = set_model(test::reducer_dynamics(), test::reducer_operation(628.0));
-  const study::GearRunResult result = run_gears(model, many);
+  const analysis::GearRunResult result = run_gears(model, many);
   ASSERT_TRUE(result.completed) << result.message;
-  const study::SignalStatistics& force = result.planets[1].tangential_force;  // a spring's: without jumps
+  const analysis::SignalStatistics& force = result.planets[1].tangential_force;  // a spring's: without jumps
   Eigen::ArrayXd rebuilt = Eigen::ArrayXd::Constant(result.series.time.size(), force.mean);
   for (std::size_t i = 0; i < force.cosines.size(); ++i) {
     const Eigen::ArrayXd angle =
@@ -325,12 +325,12 @@ TEST_F(GearRun, LoadedTeethCarryTheMeanLoads) {
   SetParameters set = test::reducer_dynamics();
   test::load_teeth(set);
   const SetModel model = set_model(set, test::reducer_operation(628.0));
-  study::GearRunOptions default_value;
+  analysis::GearRunOptions default_value;
   default_value.observed_periods = 100;
-  const study::GearRunResult result = run_gears(model, default_value);
+  const analysis::GearRunResult result = run_gears(model, default_value);
   ASSERT_TRUE(result.completed) << result.message;
   const double force = model.operation.torques.sun / (set.planets * set.sun.radius);
-  for (const study::PlanetStatistics& planet : result.planets) {
+  for (const analysis::PlanetStatistics& planet : result.planets) {
     EXPECT_NEAR(planet.sun_mesh_force.mean, force, 1e-3 * force);
     EXPECT_NEAR(planet.ring_mesh_force.mean, force, 1e-3 * force);
     // In the housing the planet is also carried round.
@@ -345,9 +345,9 @@ TEST_F(GearRun, LoadedTeethCarryTheMeanLoads) {
 TEST_F(GearRun, RestsWithoutExcitation) {
   SetParameters set = test::reducer_dynamics();
   const SetModel model = averaged(set_model(set, test::reducer_operation(628.0)));
-  study::GearRunOptions fine = options();
+  analysis::GearRunOptions fine = options();
   fine.allowed_share = 1e-8;  // steps ring at their limit of stability by some ten times the allowed error
-  const study::GearRunResult result = run_gears(model, fine);
+  const analysis::GearRunResult result = run_gears(model, fine);
   ASSERT_TRUE(result.completed);
   const double force = result.planets[0].sun_mesh_force.mean;
   EXPECT_LT(result.planets[0].radial_acceleration.maximum * set.planet.mass, 1e-5 * force);
@@ -359,7 +359,7 @@ TEST_F(GearRun, PinErrorsShiftTheLoads) {
   SetParameters set = test::reducer_dynamics();
   set.pin_error = Eigen::Matrix2Xd::Zero(2, 4);
   set.pin_error(1, 0) = -2e-6;  // behind its place: the driven pin meets its planet earlier
-  const study::GearRunResult result = run_gears(set_model(set, test::reducer_operation(628.0)), options());
+  const analysis::GearRunResult result = run_gears(set_model(set, test::reducer_operation(628.0)), options());
   ASSERT_TRUE(result.completed);
   EXPECT_GT(std::abs(result.planets[0].load_share - 1.0), 0.02);
   EXPECT_NEAR(result.planets[0].load_share + result.planets[1].load_share + result.planets[2].load_share +
@@ -370,7 +370,7 @@ TEST_F(GearRun, PinErrorsShiftTheLoads) {
 
 // At constant power and constant load the speed finds its own level, and the set does not run away.
 TEST_F(GearRun, DoesNotDriftAway) {
-  const study::GearRunResult result =
+  const analysis::GearRunResult result =
       run_gears(set_model(test::reducer_dynamics(), test::reducer_operation(628.0)), options());
   ASSERT_TRUE(result.completed);
   const double sun_speed = 628.0 * test::reducer_dynamics().sun.radius;

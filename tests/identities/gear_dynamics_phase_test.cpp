@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "coupling/study/gear_dynamics.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
 #include "tests/gear_sets.hpp"
 
@@ -29,12 +29,12 @@ SetModel with_phases(int sun_teeth, int ring_teeth) {
 
 // Complex amplitudes of sqrt(mass) x position over one period of the settled motion: (freedoms, harmonics).
 MatrixXcd harmonics(const SetModel& model) {
-  study::GearRunOptions options;
+  analysis::GearRunOptions options;
   options.window_periods = 600;
   options.most_windows = 1;
   options.observed_periods = 1;
   options.allowed_share = 1e-7;
-  const study::GearRunResult settled = run_gears(model, options);
+  const analysis::GearRunResult settled = run_gears(model, options);
   const double period = 1.0 / model.operation.mesh_frequency;
   const PlanetarySetEquations equations(model);
   const auto derivative = [&](double time, const Eigen::Ref<const VectorXd>& x, Eigen::Ref<VectorXd> dx) {

@@ -3,10 +3,10 @@
 // N remaining.
 #include <gtest/gtest.h>
 
-#include "coupling/study/crowning/crown_problem.hpp"
+#include "coupling/analysis/crowning/crown_problem.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::crowning::lamina_idle_rollers_test {
+namespace orbearing::analysis::crowning::lamina_idle_rollers_test {
 namespace {
 
 constexpr double kBalance = 1e-9;  // of the greatest load: what the search itself accepts
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Found, IdleRollers,
                                                 2.7952458612410566e-05, 0.5e-3}));
 
 }  // namespace
-}  // namespace orbearing::study::crowning::lamina_idle_rollers_test
+}  // namespace orbearing::analysis::crowning::lamina_idle_rollers_test

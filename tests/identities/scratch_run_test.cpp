@@ -6,10 +6,10 @@
 
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/geometry.hpp"
-#include "coupling/study/scratch_run.hpp"
+#include "coupling/analysis/scratch_run.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"
 
-namespace orbearing::study::scratch_run_test {
+namespace orbearing::analysis::scratch_run_test {
 namespace {
 
 using namespace bearing::defect;
@@ -158,4 +158,4 @@ TEST(ScratchRun, RandomBearingsEndWithNumbers) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::scratch_run_test
+}  // namespace orbearing::analysis::scratch_run_test

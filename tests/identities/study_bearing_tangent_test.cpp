@@ -4,10 +4,10 @@
 
 #include <Eigen/LU>
 
-#include "coupling/study/planet_stiffness.hpp"
+#include "coupling/analysis/planet_stiffness.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 namespace {
 
 using Eigen::Matrix2d;
@@ -126,4 +126,4 @@ TEST(BearingTangent, DampsByTheSlopesOfFilmedContacts) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis

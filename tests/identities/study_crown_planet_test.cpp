@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/crowning/half_space_search.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
+#include "coupling/analysis/crowning/half_space_search.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::study_crown_planet_test {
+namespace orbearing::analysis::crowning::study_crown_planet_test {
 namespace {
 
 // The search for an equilibrium ends at 1e-12 of the load; other instruction sets add up in another order.
@@ -116,4 +116,4 @@ TEST(CrownOfAPlanet, LivesShorterWhereItsPinMayMiss) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::study_crown_planet_test
+}  // namespace orbearing::analysis::crowning::study_crown_planet_test

@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "bearing/life/lundberg_palmgren.hpp"
-#include "coupling/study/gear_dynamics.hpp"
-#include "coupling/study/gear_model.hpp"
-#include "coupling/study/mesh_excitation.hpp"
-#include "coupling/study/operating_point.hpp"
-#include "coupling/study/planet_stiffness.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
+#include "coupling/analysis/gear_model.hpp"
+#include "coupling/analysis/mesh_excitation.hpp"
+#include "coupling/analysis/operating_point.hpp"
+#include "coupling/analysis/planet_stiffness.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_dynamic_point_test {
+namespace orbearing::analysis::study_dynamic_point_test {
 namespace {
 
 using example::reducer;
@@ -91,7 +91,8 @@ TEST(StudyDynamicPoint, MeshStiffnessRaisesTheLargestLoad) {
 // bearings and both meshes are in it.
 TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings) {
   PlanetaryDrivetrain drivetrain = short_run();
-  drivetrain.dynamics.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
+  drivetrain.dynamics.inertia = {
+      .own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   gearset::dynamics::SetParameters gears = gears_of(drivetrain);
   gears.frame = {.coriolis = false, .centrifugal = false, .euler = false};
   gears.sun_mesh.backlash = gears.ring_mesh.backlash = 1e-3;  // [m]  teeth that strike back do not repeat
@@ -196,4 +197,4 @@ TEST(StudyDynamicPoint, RollerSlipIsTheShareThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_dynamic_point_test
+}  // namespace orbearing::analysis::study_dynamic_point_test

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_inclined_point_test {
+namespace orbearing::analysis::study_inclined_point_test {
 namespace {
 
 using constants::degree;
@@ -85,4 +85,4 @@ TEST(InclinedPoint, RowsOfABarrelBearingHoldTheirAxialLoads) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_inclined_point_test
+}  // namespace orbearing::analysis::study_inclined_point_test

@@ -1,12 +1,12 @@
 // Lives on laminae in motion against the quasi-static life of the same bearing: one way, and as one system.
 #include <gtest/gtest.h>
 
-#include "coupling/study/crowning/crown_problem.hpp"
-#include "coupling/study/operating_point.hpp"
-#include "coupling/study/rated_bearing.hpp"
+#include "coupling/analysis/crowning/crown_problem.hpp"
+#include "coupling/analysis/operating_point.hpp"
+#include "coupling/analysis/rated_bearing.hpp"
 #include "tests/coupled_reducer.hpp"
 
-namespace orbearing::study::study_lamina_motion_test {
+namespace orbearing::analysis::study_lamina_motion_test {
 namespace {
 
 // Lives of rollers in motion, without the vibration of the meshes, are within this of quasi-static ones: a
@@ -69,4 +69,4 @@ TEST(LaminaMotion, LivesInOneSystemAsAtRest) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_lamina_motion_test
+}  // namespace orbearing::analysis::study_lamina_motion_test

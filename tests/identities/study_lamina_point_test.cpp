@@ -4,11 +4,11 @@
 #include <numeric>
 
 #include "bearing/contact/race_contact.hpp"
-#include "coupling/study/crowning/crown_problem.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/crowning/crown_problem.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_lamina_point_test {
+namespace orbearing::analysis::study_lamina_point_test {
 namespace {
 
 constexpr double kRoundOff = 1e-9;  // of loads and lives, 9/2 times that of the equilibrium
@@ -114,4 +114,4 @@ TEST(LaminaPoint, TiltCostsLife) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_lamina_point_test
+}  // namespace orbearing::analysis::study_lamina_point_test

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "tests/messages.hpp"
 #include "tests/reducer.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
-namespace orbearing::study::study_multi_stage_test {
+namespace orbearing::analysis::study_multi_stage_test {
 namespace {
 
 using example::reducer;
@@ -145,4 +145,4 @@ TEST(MultiStage, NameTheSetThatFails) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_multi_stage_test
+}  // namespace orbearing::analysis::study_multi_stage_test

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <vector>
 
-#include "coupling/study/gear_dynamics.hpp"
-#include "coupling/study/mesh_excitation.hpp"
-#include "coupling/study/one_way.hpp"
-#include "coupling/study/operating_point.hpp"
-#include "coupling/study/planet_stiffness.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
+#include "coupling/analysis/mesh_excitation.hpp"
+#include "coupling/analysis/one_way.hpp"
+#include "coupling/analysis/operating_point.hpp"
+#include "coupling/analysis/planet_stiffness.hpp"
 #include "tests/coupled_reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 namespace {
 
 using Eigen::Vector2d;
@@ -176,11 +176,9 @@ TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
   const auto accepted = [&](double stiffness, double damping, double load) {
-    const OneWayRun run = run_one_way(drivetrain, geometry, duty, gears, std::nullopt,
-                                      {.stiffness_change = stiffness,
-                                       .damping_change = damping,
-                                       .load_difference = load,
-                                       .most_runs = 1});
+    const OneWayRun run = run_one_way(
+        drivetrain, geometry, duty, gears, std::nullopt,
+        {.stiffness_change = stiffness, .damping_change = damping, .load_difference = load, .most_runs = 1});
     EXPECT_EQ(run.fit.value().runs, 1);
     return run.fit.value().accepted;
   };
@@ -213,4 +211,4 @@ TEST(OneWay, SaysWhereDisplacedPlanetsUseUpTheBacklash) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis

@@ -9,10 +9,10 @@
 #include <functional>
 #include <limits>
 
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_peak_test {
+namespace orbearing::analysis::study_peak_test {
 namespace {
 
 using example::reducer;
@@ -134,4 +134,4 @@ TEST(StudyPeak, LoadsScaleWithPowerToTwoThirdsAlongThePeak) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_peak_test
+}  // namespace orbearing::analysis::study_peak_test

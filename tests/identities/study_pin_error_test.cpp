@@ -7,13 +7,13 @@
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
-#include "coupling/study/load_sharing.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/load_sharing.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/messages.hpp"
 
-namespace orbearing::study::study_pin_error_test {
+namespace orbearing::analysis::study_pin_error_test {
 namespace {
 
 constexpr double kBalance = 1e-6;  // of a load: the search ends at 1e-9 of the largest, gears take part of it
@@ -77,8 +77,8 @@ TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
       const bearing::OperatingPoint point = point_under(drivetrain, even, force);
       Eigen::Vector2d moved = point.bore_load / drivetrain.dynamics.support.stiffness;
       for (int k = 0; k < options.cage_positions; ++k) {
-        const double first = k * constants::two_pi /
-                             (options.cage_positions * drivetrain.bearing.rollers().count);
+        const double first =
+            k * constants::two_pi / (options.cage_positions * drivetrain.bearing.rollers().count);
         moved +=
             quasi_static_state(bearing::laminae::LaminaBearing(drivetrain.bearing), point, options, first)
                 .displacement /
@@ -237,4 +237,4 @@ TEST(PinErrors, AskForNoStateToStartFrom) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_pin_error_test
+}  // namespace orbearing::analysis::study_pin_error_test

@@ -4,11 +4,11 @@
 
 #include <Eigen/LU>
 
-#include "coupling/study/planet_stiffness.hpp"
+#include "coupling/analysis/planet_stiffness.hpp"
 #include "gearset/rim/rim_influence.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_planet_stiffness_test {
+namespace orbearing::analysis::study_planet_stiffness_test {
 namespace {
 
 constexpr double kSun = 5.5e8, kRing = 6.5e8;  // [N/m]
@@ -56,7 +56,8 @@ TEST(PlanetStiffness, OfAStiffRimIsThatOfItsParts) {
   EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm());
 }
 
-// Over positions that lie within a pitch, whatever the number of rollers: 15 times 15 positions of 1/4 or 1/16 would be the same ones.
+// Over positions that lie within a pitch, whatever the number of rollers: 15 times 15 positions of 1/4 or
+// 1/16 would be the same ones.
 TEST(PlanetStiffness, IsThatOfItsPartsWithOtherNumbersOfRollers) {
   for (const int rollers : {12, 13, 14}) {
     PlanetaryDrivetrain drivetrain = elastic_reducer();
@@ -65,7 +66,8 @@ TEST(PlanetStiffness, IsThatOfItsPartsWithOtherNumbersOfRollers) {
     Eigen::Matrix4d parts = Eigen::Matrix4d::Zero();
     parts.diagonal().head<2>() << kSun, kRing;
     parts.bottomRightCorner<2, 2>() = bearing_tangent(drivetrain, geometry).stiffness;
-    EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm()) << rollers;
+    EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm())
+        << rollers;
   }
 }
 
@@ -106,4 +108,4 @@ TEST(PlanetStiffness, UnderGivenMeshForcesIsThatOfTheBearing) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_planet_stiffness_test
+}  // namespace orbearing::analysis::study_planet_stiffness_test

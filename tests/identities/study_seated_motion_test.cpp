@@ -5,14 +5,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/study/driven_setups.hpp"
-#include "coupling/study/tilting_planet.hpp"
+#include "coupling/analysis/driven_setups.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/messages.hpp"
 
-namespace orbearing::study::study_seated_motion_test {
+namespace orbearing::analysis::study_seated_motion_test {
 namespace {
 
 PlanetaryDrivetrain tilting_reducer() {
@@ -89,4 +89,4 @@ TEST(OneOfSeveralSetsInMotion, TurnsAndIsLoadedAsTheSetAlone) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_seated_motion_test
+}  // namespace orbearing::analysis::study_seated_motion_test

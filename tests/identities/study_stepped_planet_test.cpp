@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "coupling/study/operating_point.hpp"
-#include "coupling/study/tilting_planet.hpp"
+#include "coupling/analysis/operating_point.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "gearset/stepped_planet.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_stepped_planet_test {
+namespace orbearing::analysis::study_stepped_planet_test {
 namespace {
 
 constexpr double kBalance = 1e-6;  // relative: of the planet's equilibrium
@@ -83,4 +83,4 @@ TEST(SteppedPlanetOnItsPin, OffsetTheOtherWayExchangesTheBearings) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_stepped_planet_test
+}  // namespace orbearing::analysis::study_stepped_planet_test

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/study/operating_point.hpp"
-#include "coupling/study/rated_bearing.hpp"
-#include "coupling/study/tilting_planet.hpp"
+#include "coupling/analysis/operating_point.hpp"
+#include "coupling/analysis/rated_bearing.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/messages.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::study_tilting_planet_test {
+namespace orbearing::analysis::study_tilting_planet_test {
 namespace {
 
 PlanetaryDrivetrain tilting_reducer() {
@@ -283,4 +283,4 @@ TEST(TiltingPlanet, WithoutMeshesIsRefused) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_tilting_planet_test
+}  // namespace orbearing::analysis::study_tilting_planet_test

@@ -9,15 +9,15 @@
 #include <numeric>
 
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "coupling/study/load_sharing.hpp"
-#include "coupling/study/multi_stage.hpp"
-#include "coupling/study/tilting_planet.hpp"
+#include "coupling/analysis/load_sharing.hpp"
+#include "coupling/analysis/multi_stage.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/rim/rim_influence.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
-namespace orbearing::study::study_together_test {
+namespace orbearing::analysis::study_together_test {
 namespace {
 
 using Eigen::Matrix4d;
@@ -321,4 +321,4 @@ TEST(Together, SeatedBearingsHaveTheFormOfTheirPlanet) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_together_test
+}  // namespace orbearing::analysis::study_together_test

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "coupling/study/load_sharing.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/load_sharing.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
 #include "gearset/dynamics/modes.hpp"
@@ -15,7 +15,7 @@
 #include "tests/coupled_reducer.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::study::unequal_planets_test {
+namespace orbearing::analysis::unequal_planets_test {
 namespace {
 
 using constants::degree;
@@ -212,4 +212,4 @@ TEST(UnequalPlanets, TellTheirPositionsToTheModel) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::unequal_planets_test
+}  // namespace orbearing::analysis::unequal_planets_test

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::gai2025_sweep_test {
+namespace orbearing::analysis::gai2025_sweep_test {
 namespace {
 
 using example::reducer;
@@ -75,4 +75,4 @@ TEST(Gai2025Sweep, EightBearingsLiveLessThanOne) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::gai2025_sweep_test
+}  // namespace orbearing::analysis::gai2025_sweep_test

@@ -22,10 +22,11 @@ std::vector<double> numbers_of(const std::string& name) {
   const ResolvedCase resolved = read_case(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml");
   std::vector<double> numbers;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
-    const study::PointResult point = study::evaluate(bearing_sets(resolved.with(sweep_point(resolved, i))));
+    const analysis::PointResult point =
+        analysis::evaluate(bearing_sets(resolved.with(sweep_point(resolved, i))));
     numbers.insert(numbers.end(),
                    {point.planet_load, point.outer.load_max, point.life_hours, point.system_life_hours});
-    for (const study::SetResult& set : point.sets)
+    for (const analysis::SetResult& set : point.sets)
       numbers.insert(numbers.end(), {set.planet_load, set.life_hours});
   }
   return numbers;

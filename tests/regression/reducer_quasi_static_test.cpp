@@ -8,10 +8,10 @@
 #include <iomanip>
 #include <vector>
 
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::reducer_quasi_static_test {
+namespace orbearing::analysis::reducer_quasi_static_test {
 namespace {
 
 // The loads of the races balance to 1e-12; libraries of another machine may round otherwise.
@@ -59,4 +59,4 @@ TEST(Regression, ReducerQuasiStatic) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::reducer_quasi_static_test
+}  // namespace orbearing::analysis::reducer_quasi_static_test

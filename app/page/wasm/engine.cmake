@@ -31,7 +31,7 @@ set_target_properties(nlopt PROPERTIES SOURCES "${searches};${CMAKE_CURRENT_LIST
 function(orbearing_engine)
   set(here "${PROJECT_SOURCE_DIR}/app/page/wasm")
   set(missing "SHELL:-include ${here}/missing_library.hpp")
-  set_source_files_properties("${PROJECT_SOURCE_DIR}/coupling/study/parallel.cpp"
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/coupling/analysis/parallel.cpp"
     TARGET_DIRECTORY orbearing_coupling PROPERTIES HEADER_FILE_ONLY ON)
   set_target_properties(orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_core
     PROPERTIES POSITION_INDEPENDENT_CODE OFF)

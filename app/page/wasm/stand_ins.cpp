@@ -7,10 +7,10 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/results/point_file.hpp"
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 #include "mechanics/cancellation.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 
 std::size_t threads_for(std::size_t, int) {
   return 1;
@@ -39,7 +39,7 @@ void compute_points(const std::vector<std::size_t>& indices, int, const Evaluate
   }
 }
 
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis
 
 namespace orbearing::app {
 
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
   return {};
 }
 PointContent point_content(const ManifestHeader&, std::size_t, const std::vector<double>&,
-                           const study::PointResult&) {
+                           const analysis::PointResult&) {
   return {};
 }
 void add_location_in_sweep(bool, const std::optional<Resonance>&, PointContent&) {}

@@ -12,7 +12,7 @@ namespace orbearing::app {
 namespace {
 
 using nlohmann::ordered_json;
-using namespace study::crowning;
+using namespace analysis::crowning;
 using bearing::Race;
 using bearing::profile::Profile;
 

@@ -24,7 +24,7 @@ namespace orbearing::app {
 
 namespace {
 
-using study::crowning::Crown;
+using analysis::crowning::Crown;
 
 constexpr double kNoDrop = 1e-10;  // [m]  round-off of a search that ends at a straight roller
 constexpr double kShorter = 1e-5;  // [-]  of a life: settings of a drop have six digits

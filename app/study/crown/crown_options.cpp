@@ -76,7 +76,7 @@ std::vector<double> quantity_list(const std::string& option, const std::string& 
 
 namespace {
 
-namespace crowning = study::crowning;
+namespace crowning = analysis::crowning;
 
 constexpr Dimension kTilt{"angle", "rad", "mrad", "1 mrad"};
 constexpr Dimension kDrop{"length", "m", "um", "5 um"};
@@ -250,14 +250,14 @@ void require_bearing(const ResolvedCase& resolved) {
                    ": bearing: missing; required: a planet bearing, whose rollers are crowned");
 }
 
-study::NamedSet set_of(const ResolvedCase& resolved, const CrownChoices& choices) {
-  std::vector<study::NamedSet> sets = bearing_sets(resolved);
+analysis::NamedSet set_of(const ResolvedCase& resolved, const CrownChoices& choices) {
+  std::vector<analysis::NamedSet> sets = bearing_sets(resolved);
   const auto named =
       std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == choices.of_set; });
   if (resolved.shape().several ? named != sets.end() : choices.of_set.empty())
     return std::move(resolved.shape().several ? *named : sets.front());
   std::vector<std::string> names;
-  for (const study::NamedSet& set : sets)
+  for (const analysis::NamedSet& set : sets)
     if (!set.name.empty()) names.push_back(set.name);
   throw BadInput(
       names.empty()
@@ -306,9 +306,9 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownChoices& choices) 
 
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownChoices& choices) {
   require_bearing(resolved);
-  study::NamedSet set = set_of(resolved, choices);
+  analysis::NamedSet set = set_of(resolved, choices);
   const bearing::Bearing& bearing = set.drivetrain.bearing;
-  const bool computed = set.drivetrain.seats.tilt == study::TiltState::computed;
+  const bool computed = set.drivetrain.seats.tilt == analysis::TiltState::computed;
   Mistakes mistakes;
   CrownRequest request{.method = method_of(resolved, choices),
                        .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : kLaminae,

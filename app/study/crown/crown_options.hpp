@@ -8,7 +8,7 @@
 #include "app/case/resolved_case.hpp"
 #include "app/case/units.hpp"
 #include "app/options/option.hpp"
-#include "coupling/study/crowning/half_space_search.hpp"
+#include "coupling/analysis/crowning/half_space_search.hpp"
 
 namespace orbearing::app {
 
@@ -87,20 +87,20 @@ std::string choices_text(const CrownChoices& choices);
 
 /// A study, checked and in SI.
 struct CrownRequest {
-  study::PlanetaryDrivetrain drivetrain;
-  study::DrivetrainGeometry geometry;
-  study::crowning::LifeMethod method = study::crowning::LifeMethod::lundberg_palmgren;
+  analysis::PlanetaryDrivetrain drivetrain;
+  analysis::DrivetrainGeometry geometry;
+  analysis::crowning::LifeMethod method = analysis::crowning::LifeMethod::lundberg_palmgren;
   int laminae = 40;
-  std::vector<study::crowning::SpectrumPoint> spectrum;
+  std::vector<analysis::crowning::SpectrumPoint> spectrum;
   std::vector<std::string> profiles;
   std::vector<double> tilts;  // [rad]  one of 0 where they are computed
   std::vector<double> drops;  // [m]  rising
   bool drops_stated = false;  // else the study extends them until the best is among them
-  study::crowning::Tolerance tolerance;
-  study::crowning::Distribution distribution = study::crowning::Distribution::worst;
+  analysis::crowning::Tolerance tolerance;
+  analysis::crowning::Distribution distribution = analysis::crowning::Distribution::worst;
   int starts = 10;
 
-  bool computes_tilt() const { return drivetrain.seats.tilt == study::TiltState::computed; }
+  bool computes_tilt() const { return drivetrain.seats.tilt == analysis::TiltState::computed; }
 };
 
 /// The case as crown takes it: tilts are computed where neither choices nor the case state them.

@@ -12,7 +12,7 @@ namespace orbearing::app {
 
 namespace {
 
-using namespace study::crowning;
+using namespace analysis::crowning;
 
 using described::Record;
 namespace dimension = described::dimension;

@@ -13,7 +13,7 @@ namespace orbearing::app {
 
 namespace {
 
-using namespace study::crowning;
+using namespace analysis::crowning;
 using bearing::profile::Profile;
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();

@@ -15,7 +15,7 @@ namespace orbearing::app {
 /// A profile with the worst of its lives and pressures over the tilts studied.
 struct CrownDesign {
   std::string profile;
-  study::crowning::Crown crown;  // share: of kinds with a straight middle
+  analysis::crowning::Crown crown;  // share: of kinds with a straight middle
   bool has_share = false;
   bearing::profile::Profile made;
   double life_hours = 0.0;                    // [h]   the governing one, as all but the next
@@ -32,7 +32,7 @@ struct CrownDesign {
 /// Result of a search for one kind of profile.
 struct CrownSearch {
   CrownDesign best;
-  std::vector<study::crowning::SearchEnd> ends;
+  std::vector<analysis::crowning::SearchEnd> ends;
   int in_best = 0;      // starts that ended in the best
   bool at_end = false;  // the greatest drop studied is the best: a greater one may be better
 };
@@ -40,8 +40,8 @@ struct CrownSearch {
 /// The drop to take by half-space pressures, how closely, and what each duty does to it.
 struct Recommendation {
   CrownDesign design;
-  study::crowning::HalfSpaceAdvice advice;
-  std::vector<study::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
+  analysis::crowning::HalfSpaceAdvice advice;
+  std::vector<analysis::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
 };
 
 /// Lives [h] of the case as it is, with the recommended profile, and with the drop that has the longest one.
@@ -68,8 +68,8 @@ struct LivesInRun {
 struct CrownStudy {
   CrownRequest request;
   bearing::rating::Life life = bearing::rating::Life::lundberg_palmgren;  // that is made longest
-  std::vector<std::vector<study::crowning::CrownPoint>> points;           // (profiles)(drops x tilts)
-  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;          // (profiles)(drops)
+  std::vector<std::vector<analysis::crowning::CrownPoint>> points;        // (profiles)(drops x tilts)
+  std::vector<std::vector<analysis::crowning::WorstOfTilts>> worst;       // (profiles)(drops)
   std::vector<CrownSearch> searches;                                      // (profiles)
   std::size_t best = 0;                                                   // the profile with the longest life
   CrownDesign straight;
@@ -86,7 +86,8 @@ struct CrownStudy {
 
 /// Runs it on `jobs` threads (0: all); `progressed` is called with finished points of the grid. Throws
 /// ComputationFailed where no crown could be found at all.
-CrownStudy crown_study(const CrownRequest& request, int jobs, const study::crowning::Progressed& progressed);
+CrownStudy crown_study(const CrownRequest& request, int jobs,
+                       const analysis::crowning::Progressed& progressed);
 
 /// Lives with the recommended profile as `run` of the case gives them, under its spectrum where it states
 /// one; `set`: of several sets, the one that was studied.
@@ -114,9 +115,9 @@ void describe(described::Record& record, const CrownStudy& study);
 std::size_t grid_size(const CrownRequest& request);
 
 /// The parts it is made of, for pictures.
-study::crowning::CrownProblem problem_of(const CrownRequest& request);
-study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& problem,
-                                         const std::string& name);
+analysis::crowning::CrownProblem problem_of(const CrownRequest& request);
+analysis::crowning::ProfileFamily family_in(const analysis::crowning::CrownProblem& problem,
+                                            const std::string& name);
 
 // crown.json in the folder of a crowning study: its result, kept for --resume and for the report.
 

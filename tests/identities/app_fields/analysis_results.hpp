@@ -27,9 +27,9 @@
 #include "app/study/scratch_case.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "coupling/fmu/model.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app::fields_test {
 
@@ -68,7 +68,7 @@ AnalysisSet analyses_of_machine(Model model, const Commands&... commands) {
 }
 
 /// Lives under the spectrum that the case states, and what each bin uses up.
-inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidelity) {
+inline std::string spectrum_result(const ResolvedCase& in, analysis::Fidelity fidelity) {
   SweepRequest request = sweep_request(in, fidelity_names().at(static_cast<std::size_t>(fidelity)));
   request.quiet = true;
   const SweepOutcome outcome = run_sweep(request);
@@ -76,8 +76,8 @@ inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidel
 }
 
 /// The nearest resonance of the gears, which rows of points in motion name.
-inline std::string resonance_result(const ResolvedCase& in, const study::PointResult& point,
-                                    study::Fidelity fidelity) {
+inline std::string resonance_result(const ResolvedCase& in, const analysis::PointResult& point,
+                                    analysis::Fidelity fidelity) {
   SweepRequest request;
   request.header.fidelity = fidelity_names().at(static_cast<std::size_t>(fidelity));
   name_resonances(in, request);
@@ -87,13 +87,13 @@ inline std::string resonance_result(const ResolvedCase& in, const study::PointRe
 }
 
 /// One point of a run or sweep: all columns, the loads by place, the final state.
-inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
-  const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
+inline std::string point_result(const ResolvedCase& in, analysis::Fidelity fidelity) {
+  const analysis::PointResult point = analysis::evaluate(bearing_sets(in), fidelity);
   const ManifestHeader header{.sets = bearing_set_names(in)};
   const SweepRow row = sweep_row(point, header);
   std::vector<double> numbers;
   for (const auto& [name, number] : named_numbers(header, row)) numbers.push_back(number);
-  std::string text = digits(numbers) + digits(std::vector<double>{study::governing_hours(point)}) +
+  std::string text = digits(numbers) + digits(std::vector<double>{analysis::governing_hours(point)}) +
                      digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state) + resonance_result(in, point, fidelity);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);
@@ -105,7 +105,7 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
 
 /// One profile of the study, at one tilt.
 inline std::string crown_result(const ResolvedCase& in) {
-  using namespace study::crowning;
+  using namespace analysis::crowning;
   constexpr double drop = 4e-6, tilt = 1e-3;  // [m], [rad]  any that load a part of the roller less
   CrownChoices options;
   if (in.shape().several) options.of_set = in.shape().sets.front();
@@ -161,20 +161,20 @@ inline std::string modes_result(const ResolvedCase& in, bool rotating) {
 }
 
 inline std::string gears_result(const ResolvedCase& in) {
-  return record_text(study::run_gears(moving_gears_of(in), gear_run_options(in)));
+  return record_text(analysis::run_gears(moving_gears_of(in), gear_run_options(in)));
 }
 
 inline std::string result_of(const ResolvedCase& in, AnalysisId analysis) {
   switch (analysis) {
     case AnalysisId::quasi_static:
-      return point_result(in, study::Fidelity::quasi_static);
+      return point_result(in, analysis::Fidelity::quasi_static);
     case AnalysisId::dynamic:
     case AnalysisId::dynamic_of_sets:
-      return point_result(in, study::Fidelity::dynamic);
+      return point_result(in, analysis::Fidelity::dynamic);
     case AnalysisId::co_simulated:
-      return point_result(in, study::Fidelity::co_simulated);
+      return point_result(in, analysis::Fidelity::co_simulated);
     case AnalysisId::monolithic:
-      return point_result(in, study::Fidelity::monolithic);
+      return point_result(in, analysis::Fidelity::monolithic);
     case AnalysisId::planet_defect:
       return record_text(vibration_of_scratched_set(scratched_set_of(in)));
     case AnalysisId::crown:

@@ -129,11 +129,11 @@ ResolvedCase resolved(const Values& values, bool several_sets = false, double po
                     settings_of(values, several_sets ? "first" : ""));
 }
 
-study::PointResult point(const ResolvedCase& in) {
-  return study::evaluate(bearing_sets(in));
+analysis::PointResult point(const ResolvedCase& in) {
+  return analysis::evaluate(bearing_sets(in));
 }
 
-double number(const study::PointResult& result, const std::string& column) {
+double number(const analysis::PointResult& result, const std::string& column) {
   return number_named({}, sweep_row(result, {}), column);
 }
 
@@ -148,7 +148,7 @@ const std::vector<std::string> kScalars{"planet_load_N",           "inner_load_m
                                         "outer_load_max_N",        "film_inner_um",    "film_outer_um",
                                         "contact_pressure_max_MPa"};
 
-void expect_like(const study::PointResult& a, const study::PointResult& b, double within) {
+void expect_like(const analysis::PointResult& a, const analysis::PointResult& b, double within) {
   for (const std::vector<std::string>* columns : {&kLives, &kScalars})
     for (const std::string& column : *columns)
       expect_equal(number(a, column), number(b, column), column, within);
@@ -167,7 +167,7 @@ double life_under_spectrum(const ResolvedCase& in, const char* key) {
 constexpr double kSearched = 1e-6;
 
 void check_mirror(const Values& values) {
-  const study::PointResult here = point(resolved(values)), there = point(resolved(mirrored(values)));
+  const analysis::PointResult here = point(resolved(values)), there = point(resolved(mirrored(values)));
   expect_like(here, there, kSearched);
   for (const char* along : {"axial_mesh_force_N", "overturning_moment_N_m", "sun_thrust_N"})
     expect_equal(number(here, along), -number(there, along), along);
@@ -175,30 +175,30 @@ void check_mirror(const Values& values) {
   const std::size_t per_planet =
       here.planets.empty() ? here.seats.size() : here.seats.size() / here.planets.size();
   for (std::size_t k = 0; k < here.seats.size(); ++k) {
-    const study::SeatResult &one = here.seats[k],
-                            &other = there.seats[k + per_planet - 1 - 2 * (k % per_planet)];
+    const analysis::SeatResult &one = here.seats[k],
+                               &other = there.seats[k + per_planet - 1 - 2 * (k % per_planet)];
     expect_equal(one.life_hours, other.life_hours, "life of a bearing", kSearched);
     EXPECT_LT((one.tilt + other.tilt).norm(), 1e-5 * one.tilt.norm());
   }
 }
 
 // All planets push the sun along the axis, each by what it gets from it.
-void check_thrust(const study::PointResult& result, int planets) {
+void check_thrust(const analysis::PointResult& result, int planets) {
   expect_equal(number(result, "sun_thrust_N"), -planets * number(result, "axial_mesh_force_N"), "thrust");
 }
 
 void check_rotation(const Values& values) {
-  const study::PointResult here = point(resolved(values));
+  const analysis::PointResult here = point(resolved(values));
   Values turned = values;
   turned["gearset.dynamics.pin_error.tangential"] = "[0 um, 3 um, 0 um, 1 um]";
-  const study::PointResult there = point(resolved(turned));
+  const analysis::PointResult there = point(resolved(turned));
   expect_like(here, there, kSearched);
   ASSERT_EQ(here.planets.size(), 4u);
   ASSERT_EQ(there.planets.size(), 4u);
   EXPECT_GT(here.planets[1].load_share, 1.01 * here.planets[0].load_share);  // its pin does not lag
   double modified = 0.0, basic = 0.0;
   for (std::size_t n = 0; n < 4; ++n) {
-    const study::PlanetResult &one = here.planets[n], &next = there.planets[(n + 1) % 4];
+    const analysis::PlanetResult &one = here.planets[n], &next = there.planets[(n + 1) % 4];
     // A share may be none but for round-off.
     constexpr double round_off = 1e-14;
     EXPECT_NEAR(one.load_share, next.load_share, kSearched * std::abs(next.load_share) + round_off);
@@ -233,7 +233,7 @@ void check_oil(const Values& values) {
   const ResolvedCase oiled = resolved(values);
   dry["lubricant.viscosity"] = oiled.given("lubricant.viscosity");  // the same films
   dry["lubricant.pressure_viscosity"] = oiled.given("lubricant.pressure_viscosity");
-  const study::PointResult with = point(oiled), without = point(resolved(dry));
+  const analysis::PointResult with = point(oiled), without = point(resolved(dry));
   for (const char* column : {"life_h", "system_life_h", "inner_load_max_N", "film_inner_um"})
     expect_equal(number(with, column), number(without, column), column, 1e-12);
   EXPECT_FALSE(without.rating.lives.oil);
@@ -259,8 +259,8 @@ void check_spectrum(Values values) {
       kPower, kSpeed, kLess, kSlower);
   const ResolvedCase split = resolved(halves);
   alone.erase("spectrum");
-  const study::PointResult first = point(resolved(alone)),
-                           second = point(resolved(alone, false, kLess, kSlower));
+  const analysis::PointResult first = point(resolved(alone)),
+                              second = point(resolved(alone, false, kLess, kSlower));
   for (const char* key : keys) {
     SCOPED_TRACE(key);
     const double life = life_under_spectrum(whole, key);
@@ -295,9 +295,9 @@ void check_laminae(Values values) {
   for (const char* path : {"bearing.profile.x", "bearing.profile.drops", "bearing.misalignment.planet_tilt"})
     values.erase(path);
   values["bearing.profile.kind"] = "straight";
-  const study::PointResult cut = point(resolved(values));
+  const analysis::PointResult cut = point(resolved(values));
   values.erase("bearing.laminae");
-  const study::PointResult whole = point(resolved(values));
+  const analysis::PointResult whole = point(resolved(values));
   for (const char* column : {"inner_load_max_N", "outer_load_rms_N", "film_inner_um",
                              "contact_pressure_max_MPa", "life_h", "system_life_h"})
     expect_equal(number(cut, column), number(whole, column), column, 1e-5);
@@ -305,16 +305,16 @@ void check_laminae(Values values) {
 
 // The set in front has the input of a single one; behind its carrier the other has it at that speed.
 void check_sets(const Values& values) {
-  const study::PointResult chain = point(resolved(values, true));
+  const analysis::PointResult chain = point(resolved(values, true));
   ASSERT_EQ(chain.sets.size(), 2u);
-  const study::PointResult alone = point(resolved(values));
+  const analysis::PointResult alone = point(resolved(values));
   Values plain;  // of the second set; what all sets share stays
   for (const auto& [path, value] : values)
     if (const Field* field = find_field(path); field != nullptr && !in_each_set(*field)) plain[path] = value;
   plain.erase("spectrum");
   const double rpm = chain.sets[0].carrier_speed * 30.0 / 3.14159265358979323846;
-  const study::PointResult behind = point(resolved(plain, false, kPower, rpm));
-  const study::PointResult* const single[] = {&alone, &behind};
+  const analysis::PointResult behind = point(resolved(plain, false, kPower, rpm));
+  const analysis::PointResult* const single[] = {&alone, &behind};
   for (std::size_t i = 0; i < 2; ++i) {
     expect_equal(chain.sets[i].life_hours, number(*single[i], "life_h"), "life", 1e-8);
     expect_equal(chain.sets[i].planet_load, number(*single[i], "planet_load_N"), "load", 1e-8);
@@ -432,7 +432,7 @@ INSTANTIATE_TEST_SUITE_P(AllPairs, FeaturePair, testing::ValuesIn(all_pairs()), 
 // The film is least where the load is largest: by which power of it, is one for all ways to change the load.
 TEST(LeastFilm, FollowsTheLargestLoadAlone) {
   const auto exponent = [](const Values& values, double power) {
-    const study::PointResult plain = point(resolved({})), other = point(resolved(values, false, power));
+    const analysis::PointResult plain = point(resolved({})), other = point(resolved(values, false, power));
     return std::log(number(other, "film_inner_um") / number(plain, "film_inner_um")) /
            std::log(number(other, "inner_load_max_N") / number(plain, "inner_load_max_N"));
   };
@@ -457,9 +457,10 @@ TEST(TiltsOfAFile, HaveTheirDirections) {
     }
     return found;
   };
-  const study::PointResult point_of_one = point(resolved({{"bearing.laminae", "10"},
-                                                          {"bearing.tilt_state", "computed"},
-                                                          {"support.pin_inclination.radial", "0.03 deg"}}));
+  const analysis::PointResult point_of_one =
+      point(resolved({{"bearing.laminae", "10"},
+                      {"bearing.tilt_state", "computed"},
+                      {"support.pin_inclination.radial", "0.03 deg"}}));
   const auto outward = tilts("radial"), ahead = tilts("tangential");
   EXPECT_EQ(outward.first, point_of_one.seats.at(0).tilt.x());
   EXPECT_EQ(outward.second, point_of_one.seats.at(0).tilt.y());

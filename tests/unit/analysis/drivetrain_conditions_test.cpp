@@ -8,7 +8,7 @@ namespace orbearing::analysis::drivetrain_conditions_test {
 namespace {
 
 StatedSet reducer_set() {
-  const study::PlanetaryDrivetrain reducer = example::reducer();
+  const analysis::PlanetaryDrivetrain reducer = example::reducer();
   return {.teeth = reducer.set, .planets = reducer};
 }
 
@@ -65,15 +65,15 @@ TEST(DrivetrainConditions, BearingsSideBySideTiltWithTheirPin) {
 TEST(DrivetrainConditions, PlanetsCountWithoutMassWhereTheyBendTiltOrArePressedOn) {
   EXPECT_FALSE(planet_counts_without_mass(reducer_set()));
   for (const Change change : std::initializer_list<Change>{
-           [](StatedSet& m) { m.planets.rim = study::PlanetRim::elastic; },
+           [](StatedSet& m) { m.planets.rim = analysis::PlanetRim::elastic; },
            [](StatedSet& m) { m.planets.mounting.state = bearing::ClearanceState::unmounted; },
            [](StatedSet& m) {
-             m.planets.seats.tilt = study::TiltState::computed;
+             m.planets.seats.tilt = analysis::TiltState::computed;
              m.teeth.helix_angle = 0.1;
            }})
     EXPECT_TRUE(holds_with(planet_counts_without_mass, change));
   EXPECT_FALSE(holds_with(planet_counts_without_mass,
-                          [](StatedSet& m) { m.planets.seats.tilt = study::TiltState::computed; }));
+                          [](StatedSet& m) { m.planets.seats.tilt = analysis::TiltState::computed; }));
 }
 
 TEST(DrivetrainConditions, SpringsFollowFromBearingsUnlessTheyAreStated) {
@@ -82,7 +82,7 @@ TEST(DrivetrainConditions, SpringsFollowFromBearingsUnlessTheyAreStated) {
       holds_with(bearings_make_springs, [](StatedSet& m) { m.gears.choice.bearing_stiffness = 1e8; }));
   EXPECT_TRUE(holds_with(bearings_make_springs, [](StatedSet& m) {
     m.gears.choice.bearing_stiffness = 1e8;
-    m.planets.rim = study::PlanetRim::elastic;
+    m.planets.rim = analysis::PlanetRim::elastic;
   }));
   EXPECT_FALSE(
       holds_with(bearings_make_springs, [](StatedSet& m) { m.planets.bearing.rollers().count = 0; }));

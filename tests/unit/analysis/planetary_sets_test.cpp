@@ -7,8 +7,8 @@
 
 #include "coupling/analysis/drivetrain_warnings.hpp"
 #include "coupling/analysis/plausible_values.hpp"
+#include "coupling/analysis/set_gears.hpp"
 #include "coupling/analysis/set_quantities.hpp"
-#include "coupling/study/set_gears.hpp"
 #include "tests/coupled_reducer.hpp"
 
 namespace orbearing::analysis::planetary_sets_test {
@@ -21,18 +21,18 @@ using testing::StartsWith;
 
 constexpr double round_off = 1e-12;
 
-study::NamedSet reducer() {
-  study::NamedSet set{"", example::reducer(), {}};
-  set.geometry = study::derive(set.drivetrain);
+analysis::NamedSet reducer() {
+  analysis::NamedSet set{"", example::reducer(), {}};
+  set.geometry = analysis::derive(set.drivetrain);
   return set;
 }
 
-study::SetGears gears() {
-  study::SetGears gears;
+analysis::SetGears gears() {
+  analysis::SetGears gears;
   gears.choice.mesh_damping_ratio = gears.choice.bearing_damping_ratio = 0.05;
   gears.choice.support_damping_ratio = 0.05;
   gears.choice.backlash = 100e-6;
-  for (study::GearMemberChoice* member : {&gears.choice.sun, &gears.choice.ring, &gears.choice.carrier})
+  for (analysis::GearMemberChoice* member : {&gears.choice.sun, &gears.choice.ring, &gears.choice.carrier})
     member->support_stiffness = 1e8;
   return gears;
 }
@@ -47,10 +47,10 @@ std::map<std::string, double> values_of(const SetQuantities& quantities) {
 }
 
 TEST(SetGears, AreThoseThatAreAssembledByHand) {
-  const study::NamedSet set = reducer();
+  const analysis::NamedSet set = reducer();
   const gearset::dynamics::SetParameters by_hand = example::reducer_gears(set.drivetrain);
   const gearset::dynamics::SetParameters found =
-      study::gear_model(set.drivetrain, set.geometry, gears()).parameters;
+      analysis::gear_model(set.drivetrain, set.geometry, gears()).parameters;
   EXPECT_EQ(found.sun_mesh.stiffness.mean(), by_hand.sun_mesh.stiffness.mean());
   EXPECT_EQ(found.ring_mesh.damping, by_hand.ring_mesh.damping);
   EXPECT_EQ(found.planet.mass, by_hand.planet.mass);
@@ -59,16 +59,16 @@ TEST(SetGears, AreThoseThatAreAssembledByHand) {
 
 // Meshes that were computed before are found again: only where all that they follow from is equal.
 TEST(SetGears, MeshesFollowFromTeethBodiesAndMaterial) {
-  const auto mean = [](const study::PlanetaryDrivetrain& drivetrain, const study::SetGears& of) {
-    return study::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), of).sun.curve.mean();
+  const auto mean = [](const analysis::PlanetaryDrivetrain& drivetrain, const analysis::SetGears& of) {
+    return analysis::set_meshes(drivetrain, gearset::working_geometry(drivetrain.set), of).sun.curve.mean();
   };
-  const study::PlanetaryDrivetrain drivetrain = example::reducer();
+  const analysis::PlanetaryDrivetrain drivetrain = example::reducer();
   const double first = mean(drivetrain, gears());
-  study::PlanetaryDrivetrain shifted = drivetrain, bored = drivetrain, tall = drivetrain;
+  analysis::PlanetaryDrivetrain shifted = drivetrain, bored = drivetrain, tall = drivetrain;
   shifted.set.sun_shift += 0.01;
   bored.set.planet_bore *= 0.9;
   tall.set.sun_heights.addendum = 1.01;
-  study::SetGears hollow = gears(), soft = gears();
+  analysis::SetGears hollow = gears(), soft = gears();
   hollow.choice.bodies.sun_bore = 0.7;
   soft.material.youngs_modulus *= 0.5;
   EXPECT_NE(mean(shifted, gears()), first);
@@ -80,7 +80,7 @@ TEST(SetGears, MeshesFollowFromTeethBodiesAndMaterial) {
 }
 
 TEST(SetQuantities, AreThoseOfTheSet) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   const auto values = values_of(quantities_of(set, gears()));
   const double sun = set.drivetrain.drive.speed;
   EXPECT_NEAR(values.at("operation.carrier_speed_rpm"), sun * 37.0 / (37.0 + 79.0), round_off * sun);
@@ -92,7 +92,7 @@ TEST(SetQuantities, AreThoseOfTheSet) {
 
 // Unequal loads have no reference in planets that are stated as unequal.
 TEST(SetQuantities, OnePinIsOffWherePlanetsCarryAlike) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   set.drivetrain.uneven_planets = true;
   EXPECT_FALSE(quantities_of(set, gears()).one_pin_off.value);
   set.drivetrain.uneven_planets = false;
@@ -101,7 +101,7 @@ TEST(SetQuantities, OnePinIsOffWherePlanetsCarryAlike) {
 }
 
 TEST(SetQuantities, StateWhyTheyAreNotComputed) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   set.drivetrain.drive.power = 0.0;
   const SetQuantities quantities = quantities_of(set, gears());
   EXPECT_FALSE(quantities.duty.failure.empty());
@@ -109,12 +109,12 @@ TEST(SetQuantities, StateWhyTheyAreNotComputed) {
 }
 
 TEST(SetQuantities, ClearanceOfMountedBearingsAtEachSpeed) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   set.drivetrain.mounting.state = bearing::ClearanceState::unmounted;
   set.drivetrain.mounting.unmounted_clearance = 37e-6;
   set.drivetrain.bearing.inner.seat_diameter = 25e-3;
   set.drivetrain.bearing.outer.seat_diameter = 47e-3;
-  study::mount(set.drivetrain);
+  analysis::mount(set.drivetrain);
   const SetQuantities quantities =
       quantities_of(set, gears(), {{"slow", 0.1 * set.drivetrain.drive.speed}, {"fast", 2e3}});
   ASSERT_TRUE(quantities.clearance.value) << quantities.clearance.failure;
@@ -125,7 +125,7 @@ TEST(SetQuantities, ClearanceOfMountedBearingsAtEachSpeed) {
 }
 
 TEST(DrivetrainWarnings, BeginWithTheKeyOfTheirSet) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   set.drivetrain.dynamics.cage.guide_diameter = 0.0;
   set.drivetrain.mounting.state = bearing::ClearanceState::unmounted;
   EXPECT_THAT(cage_warnings({set}), ElementsAre(StartsWith("bearing.cage.guide_land_diameter: 0;")));
@@ -141,7 +141,7 @@ TEST(DrivetrainWarnings, BeginWithTheKeyOfTheirSet) {
 }
 
 TEST(DrivetrainWarnings, FewLaminaeResolveNoTilt) {
-  study::NamedSet set = reducer();
+  analysis::NamedSet set = reducer();
   set.drivetrain.bearing.rollers().laminae = 9;
   const auto few = HasSubstr("9 resolve a profile or a tilt coarsely");
   const auto rated = HasSubstr("9 laminae of straight rollers");
@@ -153,17 +153,17 @@ TEST(DrivetrainWarnings, FewLaminaeResolveNoTilt) {
 }
 
 TEST(DrivetrainWarnings, SlopesBesideAComputedTilt) {
-  study::PlanetaryDrivetrain drivetrain = example::reducer();
+  analysis::PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.set.flanks.ring_slope = 10e-6;
   EXPECT_THAT(slope_warnings(drivetrain), IsEmpty());
-  drivetrain.seats.tilt = study::TiltState::computed;
+  drivetrain.seats.tilt = analysis::TiltState::computed;
   ASSERT_EQ(slope_warnings(drivetrain).size(), 1U);
   EXPECT_EQ(slope_warnings(drivetrain).front().key, "gearset.lead_slope.ring");
 }
 
 TEST(PlausibleValues, OfASetAreThoseOfItsSpeedsAndLoads) {
-  const study::NamedSet set = reducer();
-  const gearset::MeanLoads loads = study::bearing_duty(set.drivetrain, set.geometry).gears;
+  const analysis::NamedSet set = reducer();
+  const gearset::MeanLoads loads = analysis::bearing_duty(set.drivetrain, set.geometry).gears;
   for (const Observation& one : observations({set}))
     if (one.key == "n_dm") {
       EXPECT_NEAR(one.value, std::abs(loads.planet_speed_relative) / example::rpm * 35.64, 1e-6);

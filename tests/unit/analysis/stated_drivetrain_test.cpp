@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 StatedSet stated_reducer() {
-  const study::PlanetaryDrivetrain reducer = example::reducer();
+  const analysis::PlanetaryDrivetrain reducer = example::reducer();
   StatedSet set{.teeth = reducer.set, .planets = reducer};
   set.planets.bearing.material.density = 7800.0;
   set.teeth.planet_bore = set.teeth.density = 0.0;  // which follow
@@ -92,7 +92,7 @@ TEST(StatedDrivetrains, FollowTheSpeedOfTheMemberThatIsStated) {
 TEST(StatedDrivetrains, OfSeveralSetsShareWhatEnters) {
   const StatedDrivetrain in = in_a_row();
   EXPECT_THAT(bearing_set_names(in), ElementsAre("first"));
-  const std::vector<study::NamedSet> with = bearing_sets(in), without = sets_without_bearing(in);
+  const std::vector<analysis::NamedSet> with = bearing_sets(in), without = sets_without_bearing(in);
   ASSERT_EQ(with.size(), 1U);
   ASSERT_EQ(without.size(), 1U);
   const double ratio = 37.0 / 116.0;
@@ -112,7 +112,7 @@ TEST(StatedDrivetrains, HaveACarrierInThreeDimensionsWhereItsModelHolds) {
   EXPECT_TRUE(carrier_is_body(single(set)));
   for (const auto& change : std::vector<void (*)(StatedSet&)>{
            [](StatedSet& m) { m.teeth.fixed_member = gearset::Member::sun; },
-           [](StatedSet& m) { m.planets.rim = study::PlanetRim::elastic; },
+           [](StatedSet& m) { m.planets.rim = analysis::PlanetRim::elastic; },
            [](StatedSet& m) { m.teeth.stepped.teeth = 18; }, [](StatedSet& m) { m.second_planet.teeth = 18; },
            [](StatedSet& m) { m.planets.bearing.rollers().count = 0; },
            [](StatedSet& m) { m.bearing_type = bearing::PlanetBearingType::tapered_roller; }}) {
@@ -163,7 +163,7 @@ TEST(SetProblems, AreThoseOfTheMemberThatDoesNotFit) {
            {"bearing.balls", [](StatedSet& m) { m.planets.rows.balls = 8; }},
            {"gearset.planet_rim",
             [](StatedSet& m) {
-              m.planets.rim = study::PlanetRim::elastic;
+              m.planets.rim = analysis::PlanetRim::elastic;
               m.gears.choice.bearing_stiffness = 1e8;
             }},
            {"gearset.tooth_contact",
@@ -171,15 +171,15 @@ TEST(SetProblems, AreThoseOfTheMemberThatDoesNotFit) {
               m.teeth.flanks.contact = gearset::ToothContact::loaded;
               m.gears.choice.separation = false;
             }},
-           {"bearing.tilt_state", [](StatedSet& m) { m.planets.seats.tilt = study::TiltState::computed; }},
+           {"bearing.tilt_state", [](StatedSet& m) { m.planets.seats.tilt = analysis::TiltState::computed; }},
            {"bearing.axial_places",
             [](StatedSet& m) {
-              m.planets.seats = {.tilt = study::TiltState::computed, .axial_positions = {-2e-3, 2e-3}};
+              m.planets.seats = {.tilt = analysis::TiltState::computed, .axial_positions = {-2e-3, 2e-3}};
               m.planets.bearing.rollers().laminae = 30;
             }},
            {"support.pin_span",
             [](StatedSet& m) {
-              m.planets.seats = {.tilt = study::TiltState::computed, .span = 20e-3};
+              m.planets.seats = {.tilt = analysis::TiltState::computed, .span = 20e-3};
               m.planets.bearing.rollers().laminae = 30;
             }},
            {"bearing.roller_diameter_deviation",
@@ -231,10 +231,10 @@ TEST(DerivedDefaults, OfThePinAreSharedByItsBearings) {
   const double of_two = defaults::PinStiffness::derive(set)->value;
   set.planets.bearings_per_planet = 1;
   EXPECT_THAT(defaults::PinStiffness::derive(set)->value, DoubleEq(2.0 * of_two));
-  set.planets.seats = {.tilt = study::TiltState::stated, .ends = bearing::PinEnds::one};
+  set.planets.seats = {.tilt = analysis::TiltState::stated, .ends = bearing::PinEnds::one};
   EXPECT_THAT(defaults::PinStiffness::derive(set)->value,
               DoubleEq(2.0 * of_two));  // not where tilts are stated
-  set.planets.seats.tilt = study::TiltState::computed;
+  set.planets.seats.tilt = analysis::TiltState::computed;
   EXPECT_LT(defaults::PinStiffness::derive(set)->value, of_two);
   set.planets.bearing.inner.seat_diameter = 0.0;
   EXPECT_FALSE(defaults::PinStiffness::derive(set).has_value());

@@ -295,8 +295,8 @@ TEST(CatalogueBearing, AnInferredInsideIsWarnedOf) {
 TEST(CatalogueBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
   const ResolvedCase in = of(planet(kCatalogue), {"bearing.fit.inner_interference=8 um"});
   EXPECT_EQ(in.choice("bearing.clearance_state"), "unmounted");
-  const study::PlanetaryDrivetrain drivetrain = bearing_sets(in).front().drivetrain;
-  const bearing::ClearanceChain chain = study::clearance_chain(drivetrain);
+  const analysis::PlanetaryDrivetrain drivetrain = bearing_sets(in).front().drivetrain;
+  const bearing::ClearanceChain chain = analysis::clearance_chain(drivetrain);
   EXPECT_DOUBLE_EQ(chain.unmounted, 32.5 * kUm);
   EXPECT_LT(chain.fitted, 32.5 * kUm - 5.0 * kUm);
   EXPECT_DOUBLE_EQ(drivetrain.bearing.radial_clearance, chain.operating);
@@ -415,7 +415,7 @@ TEST(RinglessPlanet, RunsOnThePinAndInTheBoreOfThePlanet) {
   const ResolvedCase in = of(planet(kNeedles + kCage));
   EXPECT_NEAR(in.quantity("bearing.bore"), 24.99e-3, 1e-11);
   EXPECT_NEAR(in.quantity("bearing.outside_diameter"), 35.01e-3, 1e-11);
-  const study::NamedSet set = bearing_sets(in).front();
+  const analysis::NamedSet set = bearing_sets(in).front();
   EXPECT_NEAR(set.geometry.bearing.outer_ring_mass, 0.0, 1e-9);
   EXPECT_NEAR(set.geometry.bearing.inner_radius, 0.5 * in.quantity("bearing.bore"), 1e-11);
   EXPECT_THAT(

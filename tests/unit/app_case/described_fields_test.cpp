@@ -62,7 +62,7 @@ struct Locations {
 
 TEST(Described, EachRowHasAMemberAndANameOfItsOwn) {
   Locations locations;
-  study::PlanetaryDrivetrain drivetrain;
+  analysis::PlanetaryDrivetrain drivetrain;
   describe(locations, drivetrain);
   EXPECT_GT(locations.names.size(), 60u);
   Locations of_balls;
@@ -92,8 +92,8 @@ struct Defaults {
 
 TEST(Described, DefaultsInTheTableAreTheMembersInitialValues) {
   Defaults defaults;
-  study::PlanetaryDrivetrain drivetrain = default_drivetrain();
-  study::GearDynamicsChoice gears = default_gears();
+  analysis::PlanetaryDrivetrain drivetrain = default_drivetrain();
+  analysis::GearDynamicsChoice gears = default_gears();
   gearset::PlanetarySet set;
   describe(defaults, drivetrain);
   describe(defaults, gears);

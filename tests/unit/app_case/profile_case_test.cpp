@@ -27,7 +27,7 @@ Profile profile_with(std::vector<std::string> settings) {
 }
 
 TEST(ProfileCase, NothingStatedIsAStraightUncutRoller) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
+  const analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
   EXPECT_EQ(drivetrain.bearing.rollers().laminae, 0);
   EXPECT_EQ(kind(drivetrain.bearing.rollers().profile), "straight");
   EXPECT_FALSE(drivetrain.misalignment.planet_tilt);
@@ -78,7 +78,7 @@ TEST(ProfileCase, ShapesReachTheirKinds) {
 }
 
 TEST(ProfileCase, MisalignmentReachesTheBoreInThePlanesItNames) {
-  const study::PlanetaryDrivetrain drivetrain =
+  const analysis::PlanetaryDrivetrain drivetrain =
       drivetrain_of(shipped({"bearing.laminae=40", "bearing.misalignment.planet_tilt=1 mrad",
                              "bearing.misalignment.carrier_wind_up=0.5 mrad"}));
   EXPECT_DOUBLE_EQ(drivetrain.misalignment.planet_tilt.value(), 1e-3);

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 const std::string kWaves = "bearing.outer_race.waviness";
 
 TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(
+  const analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(
       shipped({kWaves + ".order=[2, 11]", kWaves + ".amplitude=[4 um, 0.5 um]",
                kWaves + ".phase=[90 deg, 0 deg]", "bearing.inner_race.out_of_roundness.order=[3]",
                "bearing.inner_race.out_of_roundness.amplitude=[-1 um]",
@@ -34,9 +34,9 @@ TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
 
 TEST(Refinements, ChoicesReachTheModel) {
   using namespace bearing::motion;
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped(
-      {"contact.lubrication=mixed", "contact.roughness=0.3 um", "bearing.cage.pocket_film=hydrodynamic",
-       "input.acceleration=6000 rpm/s"}));
+  const analysis::PlanetaryDrivetrain drivetrain =
+      drivetrain_of(shipped({"contact.lubrication=mixed", "contact.roughness=0.3 um",
+                             "bearing.cage.pocket_film=hydrodynamic", "input.acceleration=6000 rpm/s"}));
   EXPECT_EQ(drivetrain.dynamics.race.lubrication, Lubrication::mixed);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, 0.3e-6);
   EXPECT_EQ(drivetrain.dynamics.cage.pocket_film, PocketFilm::hydrodynamic);
@@ -44,7 +44,7 @@ TEST(Refinements, ChoicesReachTheModel) {
 }
 
 TEST(Refinements, DefaultsAreThoseOfTheLibraries) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
+  const analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
   const bearing::motion::DynamicsParameters library;
   EXPECT_EQ(drivetrain.dynamics.race.lubrication, library.race.lubrication);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, library.race.roughness);

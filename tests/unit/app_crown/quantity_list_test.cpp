@@ -62,7 +62,7 @@ TEST(CrownChoices, GoThroughJsonUnchanged) {
 
 // Crowns use life.method where no option states another life. C and P are the same for all crowns.
 TEST(CrownChoices, LifeIsThatOfTheCase) {
-  using study::crowning::LifeMethod;
+  using analysis::crowning::LifeMethod;
   const auto measure = [](const std::string& method, const std::string& option) {
     CrownChoices choices;
     choices.life = option;

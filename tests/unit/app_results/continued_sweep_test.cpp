@@ -34,9 +34,9 @@ SweepRequest continued(const fs::path& folder, Direction direction) {
   SweepRequest request = fake_request(folder, points);
   request.header.fidelity = "dynamic";
   request.header.continued = direction;
-  request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("not continued"); };
+  request.evaluate = [](std::size_t) -> analysis::PointResult { throw std::logic_error("not continued"); };
   request.evaluate_from = [](std::size_t point, const Eigen::VectorXd& start) {
-    study::PointResult result = fake_sweep::fake_result(point);
+    analysis::PointResult result = fake_sweep::fake_result(point);
     result.dynamic.emplace().final_state = next_state(point, start);
     result.dynamic->layout = {.rollers = 3};
     result.cage_slip = result.dynamic->final_state[0];
@@ -155,7 +155,7 @@ TEST(ContinuedSweep, ManifestRemembersTheDirection) {
 
 TEST(PointFile, FinalStateIsReadAsItWasWritten) {
   const TemporaryFolder location;
-  study::PointResult result = fake_sweep::fake_result(1);
+  analysis::PointResult result = fake_sweep::fake_result(1);
   result.dynamic.emplace().final_state = Eigen::VectorXd::LinSpaced(state_of_rollers, -1.0 / 3.0, 2.0 / 7.0);
   fake_sweep::write(location / "p.nc",
                     netcdf_bytes(point_content(fake_sweep::fake_header(5), 1, {}, result)));
@@ -169,12 +169,12 @@ TEST(PointFile, FinalStateNamesEachOfItsVariables) {
   for (const bearing::motion::StateLayout& layout :
        {bearing::motion::StateLayout{.rollers = 3}, bearing::motion::StateLayout{.rollers = 3, .waves = 5},
         bearing::motion::StateLayout{.rollers = 3, .tilting = true, .waves = 5, .caged = false}}) {
-    study::PointResult result;
+    analysis::PointResult result;
     result.dynamic.emplace();
     result.dynamic->final_state = Eigen::VectorXd::Zero(layout.size());
     result.dynamic->layout = layout;
     Record record = record_of(result);
-    const std::string names = record.entry(study::kFinalState).meaning;
+    const std::string names = record.entry(analysis::kFinalState).meaning;
     EXPECT_EQ(std::count(names.begin(), names.end(), '['), layout.size());
     EXPECT_EQ(names.find("end_displacement") != std::string::npos, layout.tilting);
     EXPECT_EQ(names.find("rim_wave_3_sine") != std::string::npos, layout.waves > 0);

@@ -49,10 +49,10 @@ inline double input_speed_of(std::size_t point) {
 }  // [rad/s]
 
 /// Point 7 fails; the others' numbers fill every digit of a double.
-inline study::PointResult fake_result(std::size_t point) {
+inline analysis::PointResult fake_result(std::size_t point) {
   if (point == failing_point) throw std::runtime_error("no balance, \"as\" found\nin line 2");
   const double x = std::sqrt(2.0 + static_cast<double>(point));
-  study::PointResult result;
+  analysis::PointResult result;
   result.input_speed = input_speed_of(point);
   result.carrier_speed = result.input_speed / 3.1;
   result.planet_load = 1e4 / x;

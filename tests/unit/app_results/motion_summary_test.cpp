@@ -6,9 +6,9 @@
 namespace orbearing::app::motion_summary_test {
 namespace {
 
-using study::PointRow;
+using analysis::PointRow;
 
-void put_load(double load, double capacity, study::RatingRecord& rating) {
+void put_load(double load, double capacity, analysis::RatingRecord& rating) {
   rating.lives.dynamic_load = load;
   rating.lives.dynamic_capacity = capacity;
 }
@@ -17,7 +17,7 @@ PointRow moving() {
   PointRow point;
   point.cage_slip = 0.0123;
   point.power_loss = 12.34;
-  point.motion = study::MotionNumbers{
+  point.motion = analysis::MotionNumbers{
       .roller_slip = 0.2,
       .loss = {.inner_traction = 10.0, .rolling = -3.0, .drag = 2.0, .support = PointRow::kNone}};
   put_load(500.0, 25000.0, point.rating);

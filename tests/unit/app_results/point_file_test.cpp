@@ -58,15 +58,15 @@ class ReadFile {
   int number_ = -1;
 };
 
-study::PointResult failed_result() {
-  study::PointResult result;
+analysis::PointResult failed_result() {
+  analysis::PointResult result;
   result.input_speed = fake_sweep::input_speed_of(3);
   result.status = "no balance";
   return result;
 }
 
 TEST(PointFile, HoldsScalarsInSiAndLoadsByLocation) {
-  const study::PointResult result = fake_sweep::fake_result(3);
+  const analysis::PointResult result = fake_sweep::fake_result(3);
   const ReadFile file(netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, result)));
   EXPECT_EQ(file.values("input_speed", 1).front(), result.input_speed);
   EXPECT_EQ(file.values("inner_life", 1).front(), result.inner.life);
@@ -83,13 +83,13 @@ TEST(PointFile, HoldsScalarsInSiAndLoadsByLocation) {
 // Each variable holds its own number.
 TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
   using Values = std::vector<double>;
-  study::PointResult result = fake_sweep::fake_result(3);
+  analysis::PointResult result = fake_sweep::fake_result(3);
   result.seats = {{-0.01, 11.0, {1e-3, 2e-3}, 21.0}, {0.01, 12.0, {3e-3, 4e-3}, 22.0}};
   result.planets = {{0.9, 101.0, 201.0}, {1.1, 102.0, 202.0}};
-  result.laminae = study::LaminaRecord{.lamina_position = {-2e-3, 2e-3},
-                                       .inner_load = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
-                                       .outer_load = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0},
-                                       .roller_tilt = {0.1, 0.2, 0.3}};
+  result.laminae = analysis::LaminaRecord{.lamina_position = {-2e-3, 2e-3},
+                                          .inner_load = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
+                                          .outer_load = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0},
+                                          .roller_tilt = {0.1, 0.2, 0.3}};
   const ReadFile file(netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, result)));
   EXPECT_EQ(file.values("bearing_place", 2), (Values{-0.01, 0.01}));
   EXPECT_EQ(file.values("bearing_load", 2), (Values{11.0, 12.0}));

@@ -29,9 +29,9 @@ double rpm_of(std::size_t point) {
   return 1000.0 * static_cast<double>(point + 1);
 }
 
-study::PointResult result_at(double input_speed) {
+analysis::PointResult result_at(double input_speed) {
   const double rpm = input_speed * rpm_of_rad_s;
-  study::PointResult result = fake_sweep::fake_result(0);
+  analysis::PointResult result = fake_sweep::fake_result(0);
   result.input_speed = input_speed;
   result.life_hours = 5e4 * std::exp(-std::pow(std::log(rpm / 5432.1), 2.0));
   if (rpm > 5600.0 && rpm < 5700.0) throw std::runtime_error("no balance");
@@ -162,8 +162,8 @@ TEST(RefinedSweep, ResumeOfAFinishedOneComputesNothing) {
   const std::string table = refined_table(location / "d");
   SweepRequest request = refined_request(location / "d");
   request.resume = true;
-  request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("computed again"); };
-  request.refinement->evaluate = [](const SweepPoint&) -> study::PointResult {
+  request.evaluate = [](std::size_t) -> analysis::PointResult { throw std::logic_error("computed again"); };
+  request.refinement->evaluate = [](const SweepPoint&) -> analysis::PointResult {
     throw std::logic_error("computed again");
   };
   run_sweep(request);

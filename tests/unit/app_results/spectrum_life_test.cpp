@@ -28,7 +28,7 @@ SpectrumResult result_of(const std::vector<Lived>& lived) {
   std::size_t point = 0;
   for (const Lived& one : lived) {
     if (!one.bin.turns()) continue;
-    study::PointResult result;
+    analysis::PointResult result;
     result.input_speed = one.bin.speed;
     result.life_hours = one.hours;
     result.system_life_hours = 0.5 * one.hours;
@@ -91,7 +91,7 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   header.points = 3;
   std::map<std::size_t, ManifestEntry> entries;
   const auto put = [&](std::size_t point, double hours, double load) {
-    study::PointResult result;
+    analysis::PointResult result;
     result.life_hours = hours;
     result.rating.lives.dynamic_capacity = 1e5;
     result.rating.lives.dynamic_load = load;
@@ -125,14 +125,14 @@ TEST(SpectrumLife, IsJudgedByTheWorstBearing) {
   header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {3e4, 100.0, 0.5}}, .hours = 100.0, .lines = 1};
   header.points = 2;
   header.sets = {"even", "uneven"};
-  study::SetResult even, uneven, alike;
+  analysis::SetResult even, uneven, alike;
   even.life_hours = 1200.0;
   uneven.life_hours = 1000.0;
   uneven.unlike.shortest_hours = 500.0;
   alike.life_hours = 5000.0;
   std::map<std::size_t, ManifestEntry> entries;
-  const auto row_of = [&](double hours, const std::vector<study::SetResult>& sets) {
-    study::PointResult result;
+  const auto row_of = [&](double hours, const std::vector<analysis::SetResult>& sets) {
+    analysis::PointResult result;
     result.life_hours = hours;
     result.sets = sets;
     return sweep_row(result, header);

@@ -125,8 +125,8 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "carrier_contact_pressure_max_MPa",
                                            "refined"};
 
-study::PointResult at_6000_rpm() {
-  study::PointResult result = fake_sweep::fake_result(0);
+analysis::PointResult at_6000_rpm() {
+  analysis::PointResult result = fake_sweep::fake_result(0);
   result.input_speed = 6000.0 * std::numbers::pi / 30.0;
   return result;
 }
@@ -161,7 +161,7 @@ TEST(SweepRow, SpeedsInRpmAreThoseOfTheCaseFile) {
 }
 
 TEST(SweepRow, EveryNumberStandsUnderItsNameInItsUnit) {
-  study::PointResult result;
+  analysis::PointResult result;
   result.carrier_speed = 2.0 * std::numbers::pi / 60.0;
   result.planet_load = 2.0;
   result.tangential_load = 3.0;
@@ -194,7 +194,7 @@ TEST(SweepRow, EveryNumberStandsUnderItsNameInItsUnit) {
                              .modified_reference = {65e6, 66e6, 93e6}},
                    .hours = {94.0, 95.0, 96.0, 97.0},
                    .system_hours = {98.0, 99.0, 100.0, 101.0}};
-  study::DynamicRecord& motion = result.dynamic.emplace();
+  analysis::DynamicRecord& motion = result.dynamic.emplace();
   motion.steady = true;
   motion.roller_slip = 18.0;
   motion.orbit_slip = 75.0;
@@ -212,10 +212,10 @@ TEST(SweepRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.dynamic->drag_over_traction = 77.0;
   result.dynamic->drag_slip = 76.0;
   result.dynamic->one_way_load_difference = 43.5;
-  study::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
-                          .runs = 40,
-                          .load_difference = 43.5,
-                          .accepted = true};
+  analysis::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
+                             .runs = 40,
+                             .load_difference = 43.5,
+                             .accepted = true};
   fit.fitted.bearing.stiffness << 44.0, 45.0, 46.0, 47.0;
   fit.fitted.bearing.damping << 48.0, 49.0, 50.0, 51.0;
   fit.fitted.bearing.force << 52.0, 53.0;
@@ -255,7 +255,7 @@ TEST(SweepRow, EveryNumberStandsUnderItsNameInItsUnit) {
 
 // The governing life, which determines the peak, is one of the columns.
 TEST(SweepRow, TheGoverningLifeIsNamedByTheHeader) {
-  study::PointResult result = at_6000_rpm();
+  analysis::PointResult result = at_6000_rpm();
   result.rating.hours = {94.0, 95.0, 96.0, 97.0};
   ManifestHeader header;
   const SweepRow row = sweep_row(result, header);
@@ -276,7 +276,7 @@ TEST(SweepRow, QuasiStaticPointHasNoDynamicNumbers) {
 }
 
 TEST(SweepRow, FailedPointKeepsSpeedAndAxesOnly) {
-  study::PointResult result = at_6000_rpm();
+  analysis::PointResult result = at_6000_rpm();
   result.status = "no balance\nfound \xff";
   const SweepRow row = sweep_row(result, kWithAxis, {37.0});
   EXPECT_FALSE(row.ok());
@@ -289,13 +289,13 @@ TEST(SweepRow, FailedPointKeepsSpeedAndAxesOnly) {
 }
 
 TEST(SweepRow, InfiniteLifeIsNoNumber) {
-  study::PointResult result = at_6000_rpm();
+  analysis::PointResult result = at_6000_rpm();
   result.life_hours = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(row_json({}, sweep_row(result, {}))["life_h"].is_null());
 }
 
-study::PointResult of_two_sets() {
-  study::PointResult result = at_6000_rpm();
+analysis::PointResult of_two_sets() {
+  analysis::PointResult result = at_6000_rpm();
   result.limiting_set = "second";
   result.sets = {{.set = "first", .planet_load = 100.0, .life_hours = 5000.0},
                  {.set = "second", .planet_load = 200.0, .life_hours = 300.0}};
@@ -319,7 +319,7 @@ TEST(SweepRow, OfSeveralSetsEndsWithTheLimitingOneAndEach) {
 
 TEST(SweepRow, OfAFailedPointOfSeveralSetsHasNoneOfThem) {
   const ManifestHeader header{.sets = {"first", "second"}};
-  study::PointResult result = of_two_sets();
+  analysis::PointResult result = of_two_sets();
   result.status = "second: no balance";
   const SweepRow row = sweep_row(result, header);
   EXPECT_EQ(row_json(header, row)["limiting_set"], "");
@@ -335,7 +335,7 @@ TEST(SweepRow, OfNumbersHasThoseAlone) {
 }
 
 TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
-  study::PointResult result = at_6000_rpm();
+  analysis::PointResult result = at_6000_rpm();
   result.status = "no \"balance\", found";
   EXPECT_EQ(csv_line({}, sweep_row(result, {})),
             "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\"" + cells_after_status() + "\n");
@@ -365,7 +365,7 @@ TEST(RowText, JsonGivesBackEveryBit) {
     return std::pow(10.0, 18.0 * static_cast<double>(bits >> 11) / 9007199254740992.0 - 9.0);
   };
   for (int i = 0; i < 300; ++i) {
-    study::PointResult result;
+    analysis::PointResult result;
     result.sets.resize(1);
     result.dynamic.emplace().one_way.emplace();
     result.coupled.emplace().bearing_life_hours = {1.0};

@@ -130,7 +130,7 @@ TEST(Sweep, ResumeOfAFinishedSweepComputesNothing) {
   const std::string table = fake_sweep::fake_table(location / "d", points);
   SweepRequest request = fake_request(location / "d", points);
   request.resume = true;
-  request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("computed again"); };
+  request.evaluate = [](std::size_t) -> analysis::PointResult { throw std::logic_error("computed again"); };
   EXPECT_EQ(run_sweep(request).kept, points);
   EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }

@@ -20,7 +20,7 @@ using ::testing::Not;
 std::vector<SweepRow> fake_rows(std::size_t count) {
   std::vector<SweepRow> rows;
   for (std::size_t i = 0; i < count; ++i) {
-    study::PointResult result = fake_sweep::fake_result(i == fake_sweep::failing_point ? 0 : i);
+    analysis::PointResult result = fake_sweep::fake_result(i == fake_sweep::failing_point ? 0 : i);
     result.input_speed = fake_sweep::input_speed_of(i);
     if (i == fake_sweep::failing_point) result.status = "no balance";
     rows.push_back(sweep_row(result, {}));

@@ -9,7 +9,7 @@
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 
 namespace orbearing::app::branches_test {
 namespace {
@@ -82,8 +82,8 @@ TEST(SpeedSlice, LiesNearestToTheCasesOwnValues) {
 
 // Constant mesh forces: means over a cage revolution then repeat, which holds no whole number of mesh
 // periods.
-study::PlanetaryDrivetrain short_run() {
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(reducer({"gearset.mesh_variation=false"}));
+analysis::PlanetaryDrivetrain short_run() {
+  analysis::PlanetaryDrivetrain drivetrain = drivetrain_of(reducer({"gearset.mesh_variation=false"}));
   drivetrain.steady_state.least_windows = 2;
   drivetrain.steady_state.most_windows = 6;
   drivetrain.steady_state.observed_windows = 1;
@@ -91,9 +91,9 @@ study::PlanetaryDrivetrain short_run() {
 }
 
 TEST(EvaluateFrom, RefusesTheStateOfAnotherBearing) {
-  const study::PlanetaryDrivetrain drivetrain = short_run();
+  const analysis::PlanetaryDrivetrain drivetrain = short_run();
   try {
-    study::evaluate_from(drivetrain, study::derive(drivetrain), Eigen::VectorXd::Zero(79));
+    analysis::evaluate_from(drivetrain, analysis::derive(drivetrain), Eigen::VectorXd::Zero(79));
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr("found 79 variables; required: 89, those of 15 rollers"));
@@ -101,11 +101,12 @@ TEST(EvaluateFrom, RefusesTheStateOfAnotherBearing) {
 }
 
 TEST(EvaluateFrom, StaysInTheSteadyStateItStartsFrom) {
-  const study::PlanetaryDrivetrain drivetrain = short_run();
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  const study::PointResult first = study::evaluate(drivetrain, geometry, study::Fidelity::dynamic);
+  const analysis::PlanetaryDrivetrain drivetrain = short_run();
+  const analysis::DrivetrainGeometry geometry = analysis::derive(drivetrain);
+  const analysis::PointResult first = analysis::evaluate(drivetrain, geometry, analysis::Fidelity::dynamic);
   ASSERT_TRUE(first.dynamic->steady);
-  const study::PointResult second = study::evaluate_from(drivetrain, geometry, first.dynamic->final_state);
+  const analysis::PointResult second =
+      analysis::evaluate_from(drivetrain, geometry, first.dynamic->final_state);
   EXPECT_TRUE(second.dynamic->steady);
   // Two windows of one state differ by no more than the criterion that called them steady.
   EXPECT_NEAR(second.outer.load_rms / first.outer.load_rms, 1.0, drivetrain.steady_state.load_drift);

@@ -16,10 +16,10 @@ using testing::HasSubstr;
 constexpr double kRevolutions = 30.0 / 3.14159265358979323846;  // rpm of 1 rad/s
 
 // A substitute for the motion: life decreases from 2000 rpm, and grows with the pin's stiffness.
-study::PointResult made_up(const std::vector<study::NamedSet>& sets, study::Fidelity fidelity) {
-  EXPECT_EQ(fidelity, study::Fidelity::monolithic);
-  const study::PlanetaryDrivetrain& drivetrain = sets.front().drivetrain;
-  study::PointResult point;
+analysis::PointResult made_up(const std::vector<analysis::NamedSet>& sets, analysis::Fidelity fidelity) {
+  EXPECT_EQ(fidelity, analysis::Fidelity::monolithic);
+  const analysis::PlanetaryDrivetrain& drivetrain = sets.front().drivetrain;
+  analysis::PointResult point;
   const double rpm = kRevolutions * drivetrain.drive.speed;
   point.life_hours = 1e-6 * drivetrain.dynamics.support.stiffness - std::abs(rpm - 2000.0);
   if (rpm > 2900.0) point.status = "no balance";

@@ -5,9 +5,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/drivetrain.hpp"
+#include "coupling/analysis/drivetrain.hpp"
 
-namespace orbearing::study::wave_masses_test {
+namespace orbearing::analysis::wave_masses_test {
 namespace {
 
 // Twice the kinetic energy of a ring of 1 kg whose radial speed is cos(n phi) [m/s]; what is tangential keeps
@@ -34,4 +34,4 @@ TEST(WaveMasses, AreThoseOfARingThatDoesNotStretch) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::wave_masses_test
+}  // namespace orbearing::analysis::wave_masses_test

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "coupling/study/operating_point.hpp"
+#include "coupling/analysis/operating_point.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::crown_life_test {
+namespace orbearing::analysis::crowning::crown_life_test {
 namespace {
 
 constexpr double kRoundOff = 1e-9;   // of lives, whose loads balance to 1e-12 and enter with the fourth power
@@ -155,4 +155,4 @@ TEST(Tilted, IsStatedAlongTheLoadAndAcrossIt) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::crown_life_test
+}  // namespace orbearing::analysis::crowning::crown_life_test

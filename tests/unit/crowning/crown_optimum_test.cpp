@@ -1,14 +1,14 @@
 // The best crown: against a fine grid, from many starts, within a band of tolerance.
-#include "coupling/study/crowning/crown_optimum.hpp"
+#include "coupling/analysis/crowning/crown_optimum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::crown_optimum_test {
+namespace orbearing::analysis::crowning::crown_optimum_test {
 namespace {
 
 const std::vector<double> kTilts{0.0, 1e-3, 2e-3};
@@ -93,4 +93,4 @@ TEST(CrownGrid, DoesNotDependOnThreadsAndMarksTheFront) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::crown_optimum_test
+}  // namespace orbearing::analysis::crowning::crown_optimum_test

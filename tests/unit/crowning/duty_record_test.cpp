@@ -1,11 +1,11 @@
 // Effects of each duty on a crown.
-#include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::duty_record_test {
+namespace orbearing::analysis::crowning::duty_record_test {
 namespace {
 
 const std::vector<double> kTilts{0.0, 1e-3};
@@ -25,4 +25,4 @@ TEST(DutyRecord, DutiesShareTheDamageByMinersRule) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::duty_record_test
+}  // namespace orbearing::analysis::crowning::duty_record_test

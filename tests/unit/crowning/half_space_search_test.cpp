@@ -1,5 +1,5 @@
 // The drop by half-space pressures, its band, and the effect of missing it.
-#include "coupling/study/crowning/half_space_search.hpp"
+#include "coupling/analysis/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::half_space_search_test {
+namespace orbearing::analysis::crowning::half_space_search_test {
 namespace {
 
 constexpr double kCurve = 1e-2;  // of a life between its nodes: twice what the search requires at the best
@@ -79,4 +79,4 @@ TEST(HalfSpaceAdvice, BandIsOpenAtTheGreatestDropStudied) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::half_space_search_test
+}  // namespace orbearing::analysis::crowning::half_space_search_test

@@ -1,9 +1,9 @@
 // The planet bearing of cases/reducer_150kW as the crowning tests use it.
 #pragma once
 
-#include "coupling/study/crowning/crown_problem.hpp"
+#include "coupling/analysis/crowning/crown_problem.hpp"
 
-namespace orbearing::study::crowning {
+namespace orbearing::analysis::crowning {
 
 inline constexpr double kRpm = 0.10471975511965977;  // [rad/s]
 
@@ -41,4 +41,4 @@ inline CrownProblem problem_at(double rpm, LifeMethod measure) {
   return problem_at({{rpm * kRpm, 1.0}}, measure);
 }
 
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::analysis::crowning

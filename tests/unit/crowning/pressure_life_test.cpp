@@ -1,6 +1,6 @@
 // Life from half-space pressures: effects that it must have, and that few cage angles are enough.
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/crowning/half_space_search.hpp"
+#include "coupling/analysis/crowning/crown_grid.hpp"
+#include "coupling/analysis/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::pressure_life_test {
+namespace orbearing::analysis::crowning::pressure_life_test {
 namespace {
 
 constexpr double kFewAngles = 1e-3;  // of lives: power means over 30 places or 60
@@ -81,4 +81,4 @@ TEST(PressureLife, CrownSavesLifeUnderTiltAndCostsItWithout) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::pressure_life_test
+}  // namespace orbearing::analysis::crowning::pressure_life_test

@@ -1,5 +1,5 @@
 // Tolerances weighted by probability.
-#include "coupling/study/crowning/half_space_search.hpp"
+#include "coupling/analysis/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning::tolerance_population_test {
+namespace orbearing::analysis::crowning::tolerance_population_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -94,4 +94,4 @@ TEST(Population, OfComputedTiltsLeansInBothDirections) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning::tolerance_population_test
+}  // namespace orbearing::analysis::crowning::tolerance_population_test

@@ -1,11 +1,11 @@
-#include "coupling/study/gear_dynamics.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace orbearing::study::gear_signals_test {
+namespace orbearing::analysis::gear_signals_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -61,4 +61,4 @@ TEST(GearSignals, CountTheAngleFromTheBeginningOfTheMeshPeriod) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::gear_signals_test
+}  // namespace orbearing::analysis::gear_signals_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "coupling/study/gear_dynamics.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/period_map.hpp"
@@ -155,15 +155,16 @@ TEST(RepeatingGears, AreThoseThatAreWaitedFor) {
     set.planet.affine_bearing = law(3e8, 0.0, 500.0);
     const SetModel model = set_model(std::move(set), test::reducer_operation(speed));
     const Eigen::VectorXd rest = static_state(model);
-    study::GearRunOptions options;
+    analysis::GearRunOptions options;
     options.drift = 1e-3;
-    const study::GearRunResult found = study::run_gears_repeating(rest, model, PeriodMap(model), options),
-                               waited = study::run_gears(model, options);
+    const analysis::GearRunResult found =
+                                      analysis::run_gears_repeating(rest, model, PeriodMap(model), options),
+                                  waited = analysis::run_gears(model, options);
     ASSERT_TRUE(found.completed && waited.completed);
     EXPECT_LT(found.report.steps, waited.report.steps / 4);
     for (std::size_t i = 0; i < 4; ++i) {
-      const study::SignalStatistics &one = found.planets[0].tangential_force,
-                                    &other = waited.planets[0].tangential_force;
+      const analysis::SignalStatistics &one = found.planets[0].tangential_force,
+                                       &other = waited.planets[0].tangential_force;
       const double allowed = 2e-3 * *std::max_element(other.amplitudes.begin(), other.amplitudes.end());
       EXPECT_NEAR(one.cosines[i], other.cosines[i], allowed) << "order " << i + 1 << " at " << speed;
       EXPECT_NEAR(one.sines[i], other.sines[i], allowed) << "order " << i + 1 << " at " << speed;
@@ -205,10 +206,11 @@ TEST(RepeatingGears, AreNotTakenWhereSmallMotionsGrow) {
   const SetModel model = model_on(law(3e8, 0.0, -200.0));
   const PeriodMap map(model);
   ASSERT_GT(map.largest_growth(), 0.0);
-  study::GearRunOptions options;
+  analysis::GearRunOptions options;
   options.most_windows = 4;
-  const study::GearRunResult found = study::run_gears_repeating(static_state(model), model, map, options),
-                             waited = study::run_gears(model, options);
+  const analysis::GearRunResult found =
+                                    analysis::run_gears_repeating(static_state(model), model, map, options),
+                                waited = analysis::run_gears(model, options);
   EXPECT_EQ(found.completed, waited.completed);
   EXPECT_EQ(found.message, waited.message);
   EXPECT_EQ(found.final_state, waited.final_state);
@@ -217,15 +219,15 @@ TEST(RepeatingGears, AreNotTakenWhereSmallMotionsGrow) {
 TEST(GearsThatRunAway, AreGivenUpWithTheReason) {
   const SetModel model = model_on(law(3e8, 0.0, -2e4));
   ASSERT_GT(largest_growth(model), 0.0);
-  study::GearRunOptions options;
+  analysis::GearRunOptions options;
   options.integration.most_steps = 100'000;  // a run that is not given up uses all of them, and says so
-  const study::GearRunResult run = study::run_gears(model, options);
+  const analysis::GearRunResult run = analysis::run_gears(model, options);
   EXPECT_FALSE(run.completed);
   EXPECT_THAT(run.message, testing::HasSubstr("grows without bound"));
 }
 
 TEST(GearsOnSoftPins, HaveNoMotionAboutTheirRest) {
-  const study::GearRunResult run = study::run_gears(model_on(law(1e3, 0.0, 0.0)), {});
+  const analysis::GearRunResult run = analysis::run_gears(model_on(law(1e3, 0.0, 0.0)), {});
   EXPECT_FALSE(run.completed);
   EXPECT_EQ(run.report.steps, 0);
   EXPECT_THAT(run.message, testing::HasSubstr("off its pin under the load at rest"));

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "coupling/study/gear_dynamics.hpp"
-#include "coupling/study/one_way.hpp"
+#include "coupling/analysis/gear_dynamics.hpp"
+#include "coupling/analysis/one_way.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/driven_gears.hpp"
 #include "coupling/system/heated_balls.hpp"
@@ -84,8 +84,8 @@ TEST(CouplingRefusals, OfAGearSet) {
 }
 
 TEST(CouplingRefusals, OfStudies) {
-  EXPECT_REFUSED(Refused, "orders of a fit", study::AffineFit(100.0, 0));
-  EXPECT_REFUSED(Refused, "mesh at rest", (void)study::run_gears_from({}, {}, {}));
+  EXPECT_REFUSED(Refused, "orders of a fit", analysis::AffineFit(100.0, 0));
+  EXPECT_REFUSED(Refused, "mesh at rest", (void)analysis::run_gears_from({}, {}, {}));
   const gearset::PlanetarySet set = gearset::reducer();
   const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
   EXPECT_REFUSED(

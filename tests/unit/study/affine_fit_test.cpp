@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "coupling/study/one_way.hpp"
+#include "coupling/analysis/one_way.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 namespace {
 
 using Eigen::Matrix2d;
@@ -194,4 +194,4 @@ TEST(AffineFit, HasNoDampersThatGiveEnergy) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis

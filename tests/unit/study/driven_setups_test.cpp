@@ -1,5 +1,5 @@
 // Properties that a bearing driven by its gears takes over from its drivetrain.
-#include "coupling/study/driven_setups.hpp"
+#include "coupling/analysis/driven_setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::driven_setups_test {
+namespace orbearing::analysis::driven_setups_test {
 namespace {
 
 system::DrivenBearingSetup setup_at(double speed) {
@@ -29,4 +29,4 @@ TEST(DrivenSetups, FrictionOfASlowBearingBuildsUpOverAShareOfItsRolling) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::driven_setups_test
+}  // namespace orbearing::analysis::driven_setups_test

@@ -1,10 +1,10 @@
 // Windows of motions that keep to a budget of processor time.
-#include "coupling/study/motion_budget.hpp"
+#include "coupling/analysis/motion_budget.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace orbearing::study::motion_budget_test {
+namespace orbearing::analysis::motion_budget_test {
 namespace {
 
 // Runs of 10 ms a revolution with steps of 4 us, of which errors allow 2 us.
@@ -50,4 +50,4 @@ TEST(MotionBudget, TimesHaveTwoDigits) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::motion_budget_test
+}  // namespace orbearing::analysis::motion_budget_test

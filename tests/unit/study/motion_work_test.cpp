@@ -1,5 +1,5 @@
 // Computing time of a motion, estimated before it is computed.
-#include "coupling/study/motion_work.hpp"
+#include "coupling/analysis/motion_work.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/coupled_reducer.hpp"
 
-namespace orbearing::study::motion_work_test {
+namespace orbearing::analysis::motion_work_test {
 namespace {
 
 constexpr double kMillisecond = 1e-3, kMicrosecond = 1e-6;  // [s]
@@ -203,4 +203,4 @@ TEST(MotionWork, CountsWhatFollowsOneAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::motion_work_test
+}  // namespace orbearing::analysis::motion_work_test

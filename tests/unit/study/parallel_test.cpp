@@ -1,4 +1,4 @@
-#include "coupling/study/parallel.hpp"
+#include "coupling/analysis/parallel.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/info.h>
@@ -11,7 +11,7 @@
 
 #include "mechanics/cancellation.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 namespace {
 
 TEST(InParallel, EachCallIsMadeOnce) {
@@ -67,4 +67,4 @@ TEST(ComputePoints, AskedToStopTheyDeliverWhatIsFinished) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis

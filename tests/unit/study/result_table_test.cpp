@@ -1,6 +1,6 @@
 // Tables of functions whose values are known everywhere: what is exact, how errors fall, and what is stated
 // of them.
-#include "coupling/study/result_table.hpp"
+#include "coupling/analysis/result_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "bearing/life/life_modification.hpp"
 #include "tests/messages.hpp"
 
-namespace orbearing::study {
+namespace orbearing::analysis {
 namespace {
 
 using Function = std::function<double(const TablePoint&)>;
@@ -232,4 +232,4 @@ TEST(ResultTable, RefusesPartsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::analysis

@@ -1,11 +1,11 @@
 // Bearings of a point that carry unlike loads: the shortest of their lives, and which planet has it.
-#include "coupling/study/worst_bearing.hpp"
+#include "coupling/analysis/worst_bearing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace orbearing::study::worst_bearing_test {
+namespace orbearing::analysis::worst_bearing_test {
 namespace {
 
 using bearing::rating::LifeMethod;
@@ -21,9 +21,10 @@ TEST(WorstBearing, WithoutUnlikeOnesIsAny) {
 TEST(WorstBearing, OfPlanets) {
   PointResult point;
   point.life_hours = 700.0;
-  point.planets = {{.load_share = 0.9, .life_hours = 900.0, .rated_hours = {.basic = 90.0, .reference = 70.0}},
-                   {.load_share = 1.2, .life_hours = 400.0, .rated_hours = {.basic = 40.0, .reference = 80.0}},
-                   {.load_share = 1.1, .life_hours = 500.0, .rated_hours = {.basic = 50.0}}};
+  point.planets = {
+      {.load_share = 0.9, .life_hours = 900.0, .rated_hours = {.basic = 90.0, .reference = 70.0}},
+      {.load_share = 1.2, .life_hours = 400.0, .rated_hours = {.basic = 40.0, .reference = 80.0}},
+      {.load_share = 1.1, .life_hours = 500.0, .rated_hours = {.basic = 50.0}}};
   const UnlikeBearings unlike = unlike_bearings(point);
   EXPECT_EQ(unlike.shortest_hours, 400.0);
   EXPECT_EQ(unlike.shortest_rated.basic, 40.0);
@@ -65,4 +66,4 @@ TEST(WorstBearing, OfACarrierOnItsBearingsIsTheWorstOverItsRevolution) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::worst_bearing_test
+}  // namespace orbearing::analysis::worst_bearing_test

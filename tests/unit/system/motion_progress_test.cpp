@@ -5,19 +5,19 @@
 
 #include <vector>
 
-#include "coupling/study/multi_stage.hpp"
+#include "coupling/analysis/multi_stage.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::system::motion_progress_test {
 namespace {
 
-study::PointResult motion_of_reducer() {
-  study::NamedSet set{"", example::reducer(), {}};
+analysis::PointResult motion_of_reducer() {
+  analysis::NamedSet set{"", example::reducer(), {}};
   set.drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
   set.drivetrain.steady_state.observed_windows = 40;  // some tenths of a second, in which they are told
   set.drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   set.geometry = derive(set.drivetrain);
-  return evaluate({set}, study::Fidelity::dynamic);
+  return evaluate({set}, analysis::Fidelity::dynamic);
 }
 
 TEST(MotionProgress, AllWhoWatchSeeOneMotionToItsEnd) {
@@ -25,8 +25,8 @@ TEST(MotionProgress, AllWhoWatchSeeOneMotionToItsEnd) {
   const auto kept_in = [](std::vector<MotionProgress>& list) {
     return [&list](const MotionProgress& now) { list.push_back(now); };
   };
-  const study::PointResult unseen = motion_of_reducer();
-  study::PointResult seen;
+  const analysis::PointResult unseen = motion_of_reducer();
+  analysis::PointResult seen;
   {
     const ObservedMotions first(kept_in(one)), second(kept_in(other));
     const RunInTurn turn(2, 8);

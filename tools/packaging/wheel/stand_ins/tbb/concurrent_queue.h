@@ -1,4 +1,4 @@
-// The parts of oneTBB that coupling/study/parallel.cpp uses, by the standard library: a wheel carries no TBB.
+// The parts of oneTBB that coupling/analysis/parallel.cpp uses, by the standard library: a wheel carries no TBB.
 #pragma once
 
 #include <condition_variable>
