@@ -5,16 +5,15 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands/carrier.hpp"
 #include "app/commands/check.hpp"
 #include "app/commands/crown.hpp"
 #include "app/commands/demo.hpp"
 #include "app/commands/fmu.hpp"
 #include "app/commands/merge.hpp"
-#include "app/commands/mesh.hpp"
 #include "app/commands/modes.hpp"
 #include "app/commands/new_case.hpp"
 #include "app/commands/open.hpp"
+#include "app/commands/plain_commands.hpp"
 #include "app/commands/report.hpp"
 #include "app/commands/run.hpp"
 #include "app/commands/sensitivities.hpp"
@@ -27,12 +26,23 @@
 
 namespace orbearing::app {
 
+template <class... Variants>
+struct Joined;
+template <class... Some>
+struct Joined<std::variant<Some...>> {
+  using Type = std::variant<Some...>;
+};
+template <class... Some, class... Others, class... More>
+struct Joined<std::variant<Some...>, std::variant<Others...>, More...>
+    : Joined<std::variant<Some..., Others...>, More...> {};
+
 /// A command with its options. Alternatives are in the order of the help.
 using CommandRequest =
-    std::variant<DemoOptions, NewOptions, OpenOptions, CheckOptions, RunOptions, SweepOptions, MergeOptions,
-                 CrownOptions, MeshOptions, CarrierOptions, ModesOptions, StiffnessOptions,
-                 SensitivitiesOptions, TableOptions, FmuOptions, SignalsOptions, SpectrumOptions,
-                 ValidateOptions, ReportOptions>;
+    Joined<std::variant<DemoOptions, NewOptions, OpenOptions, CheckOptions, RunOptions, SweepOptions,
+                        MergeOptions, CrownOptions>,
+           PlainCommands,
+           std::variant<ModesOptions, StiffnessOptions, SensitivitiesOptions, TableOptions, FmuOptions,
+                        SignalsOptions, SpectrumOptions, ValidateOptions, ReportOptions>>::Type;
 
 /// Every command, with no option given.
 std::vector<CommandRequest> all_commands();

@@ -12,6 +12,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/commands/kept_result.hpp"
+#include "app/commands/plain_commands.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/carrier_study.hpp"
@@ -69,10 +70,9 @@ ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
   return resolved;
 }
 
-int modes_of_machine(const MachineAnalysis& modes, const ResolvedCase& resolved, const Printing& print) {
-  const std::vector<std::string> unused = require_used(resolved, modes.used);
-  const AnalysisResult result = modes.compute(resolved, {});
-  present_record(resolved, result.record, joined(unused, result.warnings), print);
+int modes_of_machine(const ResolvedCase& resolved, const Printing& print) {
+  const AnalysisResult result = result_of_machine(resolved, ModesOptions::command);
+  present_record(resolved, result.record, result.warnings, print);
   return result.failed ? 1 : 0;
 }
 
@@ -81,9 +81,9 @@ int modes_of_machine(const MachineAnalysis& modes, const ResolvedCase& resolved,
 int execute(const ModesOptions& options) {
   const bool turns = !options.speed.empty();
   const ResolvedCase resolved = point_for_modes(options.stated, turns);
-  if (const MachineAnalysis* modes = machine_analysis(resolved.model(), "modes"))
-    return modes_of_machine(
-        *modes, turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved, options.print);
+  if (machine_analysis(resolved.model(), ModesOptions::command) != nullptr)
+    return modes_of_machine(turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved,
+                            options.print);
   const double speed = speed_option(options.speed);
   if (resolved.model() == planetary_drivetrain && stated_drivetrain(resolved).has_pairs())
     require_used(resolved, AnalysisId::modes);  // refuses before it computes
