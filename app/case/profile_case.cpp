@@ -101,9 +101,7 @@ std::string first_of(const ResolvedCase& in, const std::string& block) {
   return {};
 }
 
-}  // namespace
-
-Profile roller_profile_of(const ResolvedCase& in) {
+Profile found_profile(const ResolvedCase& in) {
   if (!in.has(kProfileKind)) return Straight{};
   const Roller roller = roller_of(in);
   const Profile own = own_profile(in, roller);
@@ -112,6 +110,12 @@ Profile roller_profile_of(const ResolvedCase& in) {
   const Profile deep = with_drop(own, kDropPosition * 0.5 * roller.length, roller.drop);
   require_sound(deep);
   return deep;
+}
+
+}  // namespace
+
+Profile roller_profile_of(const ResolvedCase& in) {
+  return in.once<Profile>([&] { return found_profile(in); });
 }
 
 void check_profile(CheckedCase& in) {
