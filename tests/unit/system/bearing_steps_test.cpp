@@ -43,6 +43,18 @@ TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
   EXPECT_EQ(out_of_place(model, x), "");
 }
 
+// Rollers are between both: they may follow the one that is further off.
+TEST_F(OutOfPlace, LetsPinOrBoreMoveAlone) {
+  now.pin_position.x() += 5.0 * limit;
+  now.cage_position.x() += 5.0 * limit;
+  now.radius[0] += 5.0 * limit;
+  EXPECT_EQ(out_of_place(model, x), "");
+  now.pin_position.setZero();
+  now.cage_position.setZero();
+  now.bore_position.y() += 5.0 * limit;
+  EXPECT_EQ(out_of_place(model, x), "");
+}
+
 TEST(AllowedErrors, FollowTheKindOfEachVariable) {
   const bearing::motion::StateLayout layout{2};
   const Eigen::VectorXd allowed = allowed_errors(layout, 1e-9, 0.02, 1e5);
