@@ -255,6 +255,37 @@ TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(seated[k].duty.point.bore_tilt, rest.bearing_tilt[k]);
 }
 
+// The race of a planet that bends has one form, by what all of its bearings press: that of one bearing in
+// motion is made by its own rollers and by what is fixed.
+TEST(SeatedBearings, SeeOneFormOfTheirPlanet) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.seats.clearance_differences = {0.0, 10e-6};
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  BearingDuty duty = bearing_duty(drivetrain, geometry);
+  bearing::ElasticRace& race = duty.point.outer_race;
+  race.compliance = Eigen::ArrayXd::LinSpaced(4, 4e-10, 1e-10);  // [m/N]
+  race.cosine = race.sine = Eigen::ArrayXd::Zero(4);
+  const PlanetSeat seat = planet_seat(drivetrain);
+  const bearing::laminae::PlanetOnPinResult rest = tilting_planet(seat, drivetrain, duty);
+  const std::vector<SeatedBearing> seated = seated_bearings(seat, drivetrain, geometry, duty);
+  ASSERT_EQ(seated.size(), 2u);
+  Eigen::ArrayXXd form(2, 8);  // (bearing, cosine and sine of each order) [m]
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const auto& own = rest.bearings[static_cast<std::size_t>(k)];
+    const bearing::ElasticRace& fixed = seated[static_cast<std::size_t>(k)].duty.point.outer_race;
+    for (Eigen::Index n = 0; n < 4; ++n) {
+      const Eigen::ArrayXd turned = static_cast<double>(n) * own.angle;
+      const double by_own = race.compliance[n] / drivetrain.cage_positions;
+      form(k, n) = fixed.cosine[n] + by_own * (own.outer_load * turned.cos()).sum();
+      form(k, 4 + n) = fixed.sine[n] + by_own * (own.outer_load * turned.sin()).sum();
+    }
+  }
+  const double size = form.abs().maxCoeff();
+  EXPECT_GT(std::abs(form(0, 5)), 0.05 * size);  // the load has a component along
+  EXPECT_LT((form.row(0) - form.row(1)).abs().maxCoeff(), 1e-9 * size);
+  EXPECT_GT(seated[0].duty.point.outer_race.sine.abs().maxCoeff(), 1e-3 * size);
+}
+
 TEST(SeatedBearings, LiveInMotionNearlyAsAtRest) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.gear_set = example::coupled_reducer(true).gear_set;  // whose bodies stand, too

@@ -92,6 +92,12 @@ class RangeOfDrops(unittest.TestCase):
             self.assertAlmostEqual(study[part]["drop_um"] / wide[part]["drop_um"], 1.0, delta=self.CURVE)
         self.assertFalse(any("greatest studied" in warning for warning in study["warnings"]))
 
+    def test_extends_no_further_than_drops_that_can_be_stated(self):
+        study = crown("--tilts", "90 mrad", "--starts", "1", case=self.CASE)
+        greatest = max(point["drop_um"] for point in study["points"])
+        self.assertTrue(500.0 < greatest <= 1000.0, greatest)
+        self.assertTrue(study["recommended"]["most_is_greatest_studied"])
+
     def test_stated_drops_stay(self):
         study = crown(*self.TILTED, "--drops", "0 um : 16 um : 2 um", case=self.CASE)
         self.assertEqual(max(point["drop_um"] for point in study["points"]), 16.0)
