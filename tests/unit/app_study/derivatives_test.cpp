@@ -126,6 +126,16 @@ TEST(Derivatives, OfPowersAreExact) {
   EXPECT_NEAR(found([](double t) { return std::sin(t); }, scatter).value, 1.0, 1e-9);  // of both signs
 }
 
+TEST(Slopes, OfOneSideSayWhich) {
+  const auto remark = [](int side) {
+    described::Record row;
+    describe(row, Derivative{.path = "a", .side = side});
+    return std::get<std::string>(row.entry("remark").content);
+  };
+  EXPECT_EQ(remark(1), "to larger values alone");
+  EXPECT_EQ(remark(-1), "to smaller values alone");
+}
+
 // At the end of a range the slope is one to one side, with the sign of the result's growth.
 TEST(Derivatives, OfPowersToOneSideAreExact) {
   const double scatter = scatter::at_rest;
