@@ -72,6 +72,11 @@ TEST(ProfileCase, ShapesReachTheirKinds) {
                     "bearing.profile.k2=0.5", "bearing.profile.end_drop=20 um"});
   EXPECT_NEAR(drop(three, kHalf), 20e-6, 1e-14);
   EXPECT_EQ(drop(three, 0.49 * kHalf), 0.0);
+  // Without end_drop its end is as deep as that of Johns and Gohar, times K1.
+  const Profile smooth = profile_with({kKind + "johns-gohar", "bearing.profile.design_load=2 kN"}),
+                two = profile_with({kKind + "fujiwara-kawase", "bearing.profile.design_load=2 kN",
+                                    "bearing.profile.k1=1.5"});
+  EXPECT_NEAR(drop(two, kHalf) / (1.5 * drop(smooth, kHalf)), 1.0, 1e-12);
   const Profile table = profile_with({kKind + "table", "bearing.profile.x=[-2.85 mm, 0 mm, 2.85 mm]",
                                       "bearing.profile.drops=[6 um, 0 um, 4 um]"});
   EXPECT_NEAR(drop(table, -0.5 * kHalf), 3e-6, kRoundOff);
