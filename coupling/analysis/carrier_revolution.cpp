@@ -403,12 +403,10 @@ bool pin_links_rows(const PlanetaryDrivetrain& drivetrain) {
 // support.stiffness, which the springs of the rows contain.
 void put_pins(const PlanetaryDrivetrain& drivetrain, spatial::SpatialSet& set) {
   const bearing::PinBeam beam = planet_pin(drivetrain);
-  const double end = beam.ends == bearing::PinEnds::both ? 0.5 * beam.span  // the wall holds what is beyond
-                                                         : std::numeric_limits<double>::infinity();
   std::vector<double> positions;
   double rows = 0.0;  // [N/m]  with their pin
   for (const spatial::PlanetBearing& row : set.planet_bearings) {
-    positions.push_back(std::clamp(row.position, -end, end));
+    positions.push_back(row.position);
     rows += row.radial_stiffness;
   }
   const double pin = drivetrain.bearings_per_planet * drivetrain.dynamics.support.stiffness;  // [N/m]
