@@ -16,6 +16,7 @@ class ItemSet {
   constexpr ItemSet(std::initializer_list<Item> items) {
     for (const Item item : items) bits_ |= bit_of(item);
   }
+  /// Also numbers that no item has.
   static constexpr ItemSet all() {
     ItemSet set;
     set.bits_ = ~std::uint64_t{0};

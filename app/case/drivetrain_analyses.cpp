@@ -30,11 +30,12 @@ DrivetrainAnalysis row_of(AnalysisId analysis) {
   using enum Physics;
   const Shared shared;
   const PhysicsSet sharing{load_sharing, positions};
-  const TakenDrivetrains any{.several_sets = true}, only_several{.single_set = false, .several_sets = true},
-      without_bearing{.without_bearing = true}, masses_too{.without_bearing = true, .without_teeth = true};
+  const TakenDrivetrains one_or_several{.several_sets = true},
+      only_several{.single_set = false, .several_sets = true}, without_bearing{.without_bearing = true},
+      masses_too{.without_bearing = true, .without_teeth = true};
   switch (analysis) {
     case AnalysisId::quasi_static:
-      return {"--fidelity quasi-static", shared.lives | sharing | equilibrium, defect, any};
+      return {"--fidelity quasi-static", shared.lives | sharing | equilibrium, defect, one_or_several};
     case AnalysisId::dynamic:
       return {"--fidelity dynamic", shared.one_set_in_time | PhysicsSet{euler, run_up}, defect};
     case AnalysisId::dynamic_of_sets:
@@ -46,7 +47,7 @@ DrivetrainAnalysis row_of(AnalysisId analysis) {
     case AnalysisId::monolithic:
       return {"--fidelity monolithic", shared.one_set_in_time | coupled, defect};
     case AnalysisId::crown:  // varies a planet of the mean load
-      return {"crown", shared.lives | equilibrium, sharing | defect, any};
+      return {"crown", shared.lives | equilibrium, sharing | defect, one_or_several};
     case AnalysisId::gears:
       return {"run --gears", shared.gears_alone, defect, without_bearing};
     case AnalysisId::modes:
@@ -57,14 +58,14 @@ DrivetrainAnalysis row_of(AnalysisId analysis) {
       return {"mesh", shared.teeth | PhysicsSet{thrust, central_teeth, positions}, {}, without_bearing};
     case AnalysisId::fmu_bearing:
       return {"fmu --model bearing",
-              shared.teeth | shared.pins | PhysicsSet{balance, Physics::carrier, motion, euler, life},
-              defect};
+              shared.teeth | shared.pins | PhysicsSet{balance, carrier, motion, euler, life}, defect};
     case AnalysisId::fmu_gearset:
       return {"fmu --model gearset", shared.gears_alone, defect, without_bearing};
     case AnalysisId::planet_defect:  // moves as monolithic does (drivetrain_uses.cpp)
-      return {"run of a set with a scratched planet bearing", shared.teeth | defect, {}, any};
+      return {"run of a set with a scratched planet bearing", shared.teeth | defect, {}, one_or_several};
     case AnalysisId::planet_stiffness:
-      return {"stiffness of a planet bearing", shared.bearings | equilibrium, sharing | defect, any};
+      return {"stiffness of a planet bearing", shared.bearings | equilibrium, sharing | defect,
+              one_or_several};
     case AnalysisId::carrier:  // besides, what modes and quasi-static points use (drivetrain_uses.cpp)
       return {"carrier", shared.teeth | carrier_body};
     case AnalysisId::first_of_machines:

@@ -24,7 +24,7 @@ struct DrivetrainAnalysis {
   TakenDrivetrains takes{};
 };
 
-/// The row of an analysis, which is one of drivetrains.
+/// The row of an analysis of drivetrains.
 const DrivetrainAnalysis& drivetrain_analysis(AnalysisId analysis);
 
 /// All analyses of drivetrains, in the order in which they are listed.

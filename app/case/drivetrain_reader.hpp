@@ -1,7 +1,6 @@
 // From a resolved case of the model planetary-drivetrain to the drivetrain that it states.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "app/case/machine_of.hpp"
@@ -10,8 +9,8 @@
 
 namespace orbearing::app {
 
-/// All sets of a case, with what joins and drives them; read once for each case. One of several by
-/// ResolvedCase::of_set() is a single one.
+/// All sets of a case, with what joins and drives them; read once for each case. Of a case by
+/// ResolvedCase::of_set() that set alone.
 const analysis::StatedDrivetrain& stated_drivetrain(const ResolvedCase& resolved,
                                                     Missing missing = Missing::refused);
 const analysis::StatedDrivetrain& stated_drivetrain(const ResolvedCase&& resolved,

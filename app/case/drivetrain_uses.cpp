@@ -14,6 +14,7 @@
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/use_conditions.hpp"
+#include "bearing/contact/traction_law.hpp"
 #include "coupling/analysis/drivetrain_physics.hpp"
 #include "mechanics/member_keys.hpp"
 
@@ -107,7 +108,6 @@ class UseRules {
     AnalysisSet unused_by{};        // analyses that ought to include them and leave them out
   };
 
-  void find_exceptions();
   /// None: the input is one of the rating, or of other machines alone.
   std::optional<Physics> physics_of(const std::string& path) const {
     const auto found = physics_.find(path);
@@ -130,6 +130,15 @@ class UseRules {
   Use with_resonances(const Use& use, std::string_view path) const;
   Use with_moving_pin(const Use& use, std::string_view path) const;
 
+  /// Without the laws of friction that rollers lack.
+  Condition of_rollers(Condition condition) const {
+    if (condition.paths == Keys{key_(race_.traction)})
+      std::erase_if(condition.values, [](const std::string& value) {
+        const auto law = value_named<bearing::TractionLaw>(value);
+        return law && !nature_of(*law).of_rollers;
+      });
+    return condition;
+  }
   Condition filmed() const { return where(film_, {"true"}); }
   Condition rim_bends() const { return where(rim_, {"elastic"}); }
 
@@ -232,10 +241,6 @@ class UseRules {
 };
 
 UseRules::UseRules() {
-  find_exceptions();
-}
-
-void UseRules::find_exceptions() {
   const analysis::PinSeats& seats = planets_.seats;
   const bearing::PlanetRows& rows = planets_.rows;
   exceptions_ = {
@@ -403,7 +408,7 @@ Use UseRules::with_held_members(const Use& use, std::string_view path) const {
 // driven member of its own, but all share the power.
 Use UseRules::with_own_condition(const Use& use, const std::string& path, const described::Where& row) const {
   if (physics_of(path) == Physics::load_sharing) return use.when(where_given({power_}));
-  return row.path.empty() ? use : use.when(condition_of(row));
+  return row.path.empty() ? use : use.when(of_rollers(condition_of(row)));
 }
 
 Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) const {
@@ -416,7 +421,7 @@ Use UseRules::with_friction_and_heat(const Use& use, std::string_view path) cons
         .used_too(moving, {where(key_(set_.complement), {"full"}),
                            where_given({key_(planets_.dynamics.neighbours.friction)})});
   if (path == key_(race_.largest_barus_exponent))
-    return use.when(condition_of({key_(race_.traction), bearing::kLawsOfOil.text}));
+    return use.when(of_rollers(condition_of({key_(race_.traction), bearing::kLawsOfOil.text})));
   if (path == key_(race_.film_heating)) return also_used(use, quasi_static);
   if (path == key_(race_.viscosity_slope))
     return use.used_too(quasi_static, where(key_(race_.film_heating), {"gupta"}));

@@ -263,6 +263,13 @@ inline constexpr bool is_rated = requires(const Result& result) {
   result.life_table();
 };
 
+template <class... Rows>
+constexpr std::size_t count_of(RowsOf<Rows...>) {
+  return sizeof...(Rows);
+}
+static_assert(static_cast<std::size_t>(AnalysisId::first_of_machines) + count_of(MachineAnalyses{}) <= 64,
+              "a set of analyses has 64 at most");
+
 /// The row of that number among all analyses.
 constexpr AnalysisId id_of_machine_analysis(std::size_t number) {
   return static_cast<AnalysisId>(static_cast<std::size_t>(AnalysisId::first_of_machines) + number);

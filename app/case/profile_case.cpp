@@ -101,6 +101,10 @@ std::string first_of(const ResolvedCase& in, const std::string& block) {
   return {};
 }
 
+struct RollerProfile {
+  Profile profile;
+};
+
 Profile found_profile(const ResolvedCase& in) {
   if (!in.has(kProfileKind)) return Straight{};
   const Roller roller = roller_of(in);
@@ -114,8 +118,8 @@ Profile found_profile(const ResolvedCase& in) {
 
 }  // namespace
 
-Profile roller_profile_of(const ResolvedCase& in) {
-  return in.once<Profile>([&] { return found_profile(in); });
+const Profile& roller_profile_of(const ResolvedCase& in) {
+  return in.once<RollerProfile>([&] { return RollerProfile{found_profile(in)}; }).profile;
 }
 
 void check_profile(CheckedCase& in) {

@@ -9,9 +9,10 @@
 
 namespace orbearing::app {
 
-/// Profile of one roller; straight where the case has none. Throws std::invalid_argument where it has no
-/// meaning.
-bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
+/// Profile of one roller, found once for each case; straight where it has none. Throws std::invalid_argument
+/// where it has no meaning.
+const bearing::profile::Profile& roller_profile_of(const ResolvedCase& resolved);
+const bearing::profile::Profile& roller_profile_of(const ResolvedCase&& resolved) = delete;
 
 /// Objects to a profile that cannot be made, to misalignment without the laminae that it acts on, and to
 /// fewer laminae than the governing life requires.

@@ -89,9 +89,12 @@ ResolvedCase ResolvedCase::assuming(const std::string& path, const std::string& 
 }
 
 ResolvedCase ResolvedCase::without_sweep() const {
+  if (axes().empty()) return *this;
   CaseData data = *data_;
   data.axes = CaseData{}.axes;
-  return ResolvedCase(std::move(data));
+  ResolvedCase point(std::move(data));
+  point.made_ = made_;  // nothing is made of the sweep
+  return point;
 }
 
 bool ResolvedCase::operator==(const ResolvedCase& other) const {

@@ -105,7 +105,8 @@ struct CaseData {
   std::vector<FormerKey> former;  // keys that the case gives by their former names
 };
 
-/// What was made of a case, by type: each is made once, when it is first asked for.
+/// What was made of a case, by type: each has one function that makes it, which is called when it is first
+/// asked for. Threads that ask at once may each call it; the first result is kept.
 class MadeOfCase {
  public:
   template <class Made, class Make>
@@ -171,7 +172,7 @@ class ResolvedCase {
   const CaseData& data() const { return *data_; }
 
   /// What `make` gives, made once for the case and all copies that share its values; valid as long as one of
-  /// them is.
+  /// them lives.
   template <class Made, class Make>
   const Made& once(const Make& make) const& {
     return made_->get<Made>(make);

@@ -26,6 +26,7 @@
 
 namespace orbearing::app {
 
+/// One variant of the alternatives of several.
 template <class... Variants>
 struct Joined;
 template <class... Some>

@@ -70,20 +70,15 @@ ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
   return resolved;
 }
 
-int modes_of_machine(const ResolvedCase& resolved, const Printing& print) {
-  const AnalysisResult result = result_of_machine(resolved, ModesOptions::command);
-  present_record(resolved, result.record, result.warnings, print);
-  return result.failed ? 1 : 0;
-}
-
 }  // namespace
 
 int execute(const ModesOptions& options) {
   const bool turns = !options.speed.empty();
   const ResolvedCase resolved = point_for_modes(options.stated, turns);
-  if (machine_analysis(resolved.model(), ModesOptions::command) != nullptr)
-    return modes_of_machine(turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved,
-                            options.print);
+  if (machine_analysis(resolved.model(), ModesOptions::command) != nullptr) {
+    const ResolvedCase at = turns ? with_speed(resolved, keys().shaft_speed, options.speed) : resolved;
+    return present_plain(at, result_of_machine(at, ModesOptions::command), options.print);
+  }
   const double speed = speed_option(options.speed);
   if (resolved.model() == planetary_drivetrain && stated_drivetrain(resolved).has_pairs())
     require_used(resolved, AnalysisId::modes);  // refuses before it computes

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "app/case/analysis_result.hpp"
 #include "app/commands/common_options.hpp"
@@ -26,7 +25,8 @@ struct CarrierCommand {
   static AnalysisResult compute(const ResolvedCase& point);
 };
 
-/// A command without `compute` has the analyses of machines under its word.
+/// A command without `compute` has the analyses of machines under its word: none so far, since drivetrains
+/// have these, too.
 template <class Word>
 struct PlainCommand {
   static constexpr const char* command = Word::command;
@@ -39,6 +39,8 @@ void describe(OptionList& list, PlainCommand<Word>& m) {
   described::members(list, m, described::part(m.print), described::part(m.stated));
 }
 
+/// Prints the result of a command. Returns its exit code.
+int present_plain(const ResolvedCase& point, const AnalysisResult& result, const Printing& print);
 int execute_plain(const Printing& print, const StatedCase& stated,
                   AnalysisResult (*compute)(const ResolvedCase&));
 

@@ -2,6 +2,7 @@
 // it holds, and thereby which inputs it uses.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -26,16 +27,17 @@ enum class Physics {
   walls,          // the carrier's, which hold the pins: gears and rollers in motion
   pin,            // what holds the bearing: its springs, and rollers in motion
   load_sharing,   // unlike loads of the planets
-  positions,     // of the planets on the carrier, by which their loads differ and their meshes follow another
-  at_rest,       // bearings at rest, and those in motion that start from them
-  motion,        // rollers and cage in motion
-  euler,         // the carrier's speed that changes
-  life,          // effect of the rollers' loads on life
-  run,           // means over time
-  run_up,        // speeds that grow
-  defect,        // a bearing with scratches in motion
-  exchange,      // windows of a co-simulation
-  carrier_body,  // the carrier in three dimensions, held by its own bearings
+  positions,      // of the planets on the carrier, by which their loads differ and their meshes follow one
+                  // another
+  at_rest,        // bearings at rest, and those in motion that start from them
+  motion,         // rollers and cage in motion
+  euler,          // the carrier's speed that changes
+  life,           // effect of the rollers' loads on life
+  run,            // means over time
+  run_up,         // speeds that grow
+  defect,         // a bearing with scratches in motion
+  exchange,       // windows of a co-simulation
+  carrier_body,   // the carrier in three dimensions, held by its own bearings
 
   // Of no input by itself: what else distinguishes analyses.
   equilibrium,  // of rollers at rest alone: a mean over one roller pitch

@@ -182,7 +182,7 @@ class Units(unittest.TestCase):
 
     def test_of_every_key_that_the_program_writes(self):
         """Ends of names that are put together, as "_Mrev", count too."""
-        sources = [path for folder in ("app/study", "app/results", "app/commands", "coupling/analysis", "coupling/analysis", "coupling/diagnosis")
+        sources = [path for folder in ("app/study", "app/results", "app/commands", "coupling/analysis", "coupling/diagnosis")
                    for path in sorted((ROOT / folder).rglob("*.[ch]pp"))]
         keys = {key for path in sources for key in re.findall(r'"([A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+|_[A-Za-z]+)"', path.read_text(encoding="utf-8"))}
         wanted = {key: by_grammar(key) for key in sorted(keys - NOT_UNITS) if by_grammar(key) != "1"}

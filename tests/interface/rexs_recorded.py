@@ -45,7 +45,7 @@ def turned(model, name, stated=True):
 
 
 def saying(make, kind, each=None, **attributes):
-    """A model whose components of a kind state these attributes, (value, unit), or do not: None. `each`: of the first, second and so on of them."""
+    """A model whose components of a kind state these attributes as (value, unit); None: they state none. `each`: attributes of the first, the second and so on."""
     model = make()
     for place, (number, _, _, _) in enumerate([one for one in model.components if one[1] == kind]):
         own = attributes | (each[place] if each and place < len(each) else {})

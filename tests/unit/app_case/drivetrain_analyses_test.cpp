@@ -26,8 +26,13 @@ TEST(DrivetrainAnalyses, HaveNamesOfTheirOwn) {
 // What no analysis holds would be an input that changes nothing: there is one such, in the flow of power
 // alone.
 TEST(DrivetrainAnalyses, HoldThePhysicsOfEveryInput) {
-  for (const auto& [key, physics] : analysis::physics_of_inputs())
+  std::set<Physics> of_inputs;
+  for (const auto& [key, physics] : analysis::physics_of_inputs()) {
     EXPECT_EQ(analyses_with(physics).is_empty(), physics == Physics::output) << key;
+    of_inputs.insert(physics);
+  }
+  for (int i = 0; i < static_cast<int>(Physics::equilibrium); ++i)
+    EXPECT_TRUE(of_inputs.contains(static_cast<Physics>(i))) << i;
 }
 
 TEST(DrivetrainAnalyses, DoNotLeaveOutWhatTheyHold) {

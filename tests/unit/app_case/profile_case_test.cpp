@@ -23,7 +23,8 @@ const std::string kKind = "bearing.profile.kind=";
 
 Profile profile_with(std::vector<std::string> settings) {
   settings.push_back("bearing.laminae=40");
-  return roller_profile_of(shipped(settings));
+  const ResolvedCase in = shipped(settings);
+  return roller_profile_of(in);
 }
 
 TEST(ProfileCase, NothingStatedIsAStraightUncutRoller) {

@@ -1,8 +1,11 @@
 // What is made of a case is made once, and anew for each changed copy.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "app/case/case_file.hpp"
 #include "app/case/drivetrain_reader.hpp"
+#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -20,6 +23,31 @@ TEST(ReadOnce, CopiesShareWhatWasMade) {
   EXPECT_EQ(copy.once<int>(make), 1);
   EXPECT_EQ(&stated_drivetrain(in), &stated_drivetrain(copy));
   EXPECT_EQ(made, 1);
+}
+
+TEST(ReadOnce, NothingIsKeptOfAFailure) {
+  const ResolvedCase in = reducer();
+  EXPECT_THROW((void)in.once<int>([]() -> int { throw std::runtime_error("no"); }), std::runtime_error);
+  EXPECT_EQ(in.once<int>([] { return 7; }), 7);
+}
+
+TEST(ReadOnce, OfASweepAndOfItsPoint) {
+  const ResolvedCase in =
+      read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", {"sweep.input.speed=[1000 rpm]"});
+  EXPECT_EQ(&stated_drivetrain(in), [&] {
+    const ResolvedCase point = in.without_sweep();
+    EXPECT_TRUE(point.axes().empty());
+    return &stated_drivetrain(point);
+  }());
+  const ResolvedCase whole = in.without_sweep(), same = whole.without_sweep();
+  EXPECT_EQ(&whole.data(), &same.data());
+}
+
+// What is not stated yet may be missing in one and not in the other.
+TEST(ReadOnce, AsFarAsStatedIsAnother) {
+  const ResolvedCase in = reducer();
+  EXPECT_NE(&stated_drivetrain(in), &stated_drivetrain(in, Missing::left_out));
+  EXPECT_EQ(&roller_profile_of(in), &roller_profile_of(in));
 }
 
 TEST(ReadOnce, AChangedCopyIsReadAnew) {
