@@ -5,6 +5,8 @@
 
 #include <set>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
@@ -18,6 +20,11 @@ std::span<const std::string> all_keys() {
   return {reinterpret_cast<const std::string*>(&keys()), sizeof(InputKeys) / sizeof(std::string)};
 }
 
+std::vector<Condition> conditions_of(const std::string& path) {
+  const Field* field = find_field(path);
+  return field == nullptr ? std::vector<Condition>{} : field->use.conditions;
+}
+
 TEST(InputKeys, AreInputsEachOfItsOwn) {
   std::set<std::string> found;
   for (const std::string& key : all_keys()) {
@@ -29,7 +36,7 @@ TEST(InputKeys, AreInputsEachOfItsOwn) {
 // A class of a seat replaces the interference of that seat alone.
 TEST(CatalogueConditions, OfInterferencesNameTheirOwnClass) {
   const auto named = [](const std::string& path, const char* other) {
-    for (const Condition& condition : find_field(path)->use.conditions)
+    for (const Condition& condition : conditions_of(path))
       if (condition.absent && condition.paths == std::vector<std::string>{other}) return true;
     return false;
   };
@@ -43,7 +50,7 @@ TEST(CatalogueConditions, OfInterferencesNameTheirOwnClass) {
 // Temperatures and interferences of a ring count where the bearing has it.
 TEST(CatalogueConditions, OfRingsNameTheRing) {
   const auto counts_with = [](const std::string& path) {
-    for (const Condition& condition : find_field(path)->use.conditions)
+    for (const Condition& condition : conditions_of(path))
       if (condition.paths == std::vector<std::string>{keys().rings}) return condition.values;
     return std::vector<std::string>{};
   };
