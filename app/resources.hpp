@@ -1,10 +1,8 @@
-// Resources of the program: libraries of FMUs, shipped cases and templates, the Python package and its
+// Resources of the program: libraries of FMUs, shipped cases, files of the page, the Python package and its
 // interpreter.
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace orbearing::app {
 
@@ -28,19 +26,6 @@ std::filesystem::path shipped_cases();
 
 /// Folder of the page's files: of a wheel or of the source tree, or beside an installed program.
 std::filesystem::path page_files();
-
-/// A case file to begin from.
-struct CaseTemplate {
-  std::string name;     // "wind-stage"
-  std::string title;    // its first line up to the colon: "Wind turbine stage"
-  std::string purpose;  // and behind it
-  std::string text;     // of the file
-};
-
-/// In the order in which they are offered.
-const std::vector<std::string>& template_names();
-/// Reads the file of one of them. Throws BadInput with the list of names where there is none.
-CaseTemplate case_template(const std::string& name);
 
 /// Takes others, for a program that is a part of another, as of Python's interpreter. To be called before the
 /// first command.

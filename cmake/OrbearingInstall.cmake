@@ -58,7 +58,7 @@ endif()")
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION lib/orbearing
           FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION "${orbearing_data_dir}/page")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/page/web/" DESTINATION "${orbearing_data_dir}/page")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
           FILES_MATCHING PATTERN "*.py" PATTERN "*.css" PATTERN "*.js" PATTERN "*.mplstyle")
 endif()
@@ -70,7 +70,7 @@ if(TARGET orbearing_library)
           COMPONENT wheel EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION orbearing/share/orbearing
           COMPONENT wheel EXCLUDE_FROM_ALL)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION orbearing/share/orbearing/page
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/page/web/" DESTINATION orbearing/share/orbearing/page
           COMPONENT wheel EXCLUDE_FROM_ALL)
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/REFERENCES.md"

@@ -14,7 +14,7 @@ import sys
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 SUFFIXES = {".hpp", ".cpp"}
-FOLDERS = ["mechanics", "gearset", "bearing", "coupling", "app"]
+FOLDERS = ["mechanics", "gearset", "bearing", "coupling", "page", "app"]
 
 
 def includes(root):

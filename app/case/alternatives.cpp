@@ -6,6 +6,7 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/machine_fields.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -6,10 +6,10 @@
 
 #include "app/case/drivetrain_reader.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "coupling/analysis/set_problems.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

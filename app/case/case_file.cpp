@@ -25,6 +25,8 @@
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
 #include "app/case/uncertain_case.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -10,7 +10,7 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_lines.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/printable.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

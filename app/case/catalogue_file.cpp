@@ -17,6 +17,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/catalogue_text.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

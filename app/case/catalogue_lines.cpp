@@ -10,8 +10,8 @@
 
 #include "app/case/catalogue_file.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/printable.hpp"
 #include "mechanics/constants.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app::catalogue_lines {
 

@@ -11,6 +11,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -23,6 +23,7 @@
 #include "bearing/design_problems.hpp"
 #include "bearing/motion/starvation.hpp"
 #include "coupling/analysis/set_problems.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -12,6 +12,7 @@
 #include "app/errors.hpp"
 #include "bearing/defect/scratch.hpp"
 #include "coupling/analysis/vibration_record.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

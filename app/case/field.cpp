@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "orbearing/text.hpp"
+
 namespace orbearing::app {
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/case/machine_fields.hpp"
 #include "app/case/machine_of.hpp"
-#include "app/case/printable.hpp"
+#include "app/case/text_parts.hpp"
 
 namespace orbearing::app {
 

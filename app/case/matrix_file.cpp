@@ -6,6 +6,7 @@
 #include "app/case/rows_file.hpp"
 #include "app/case/text_table.hpp"
 #include "gearset/spatial/housing_stiffness.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

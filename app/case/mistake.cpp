@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "app/errors.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

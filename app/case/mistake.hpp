@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/case/printable.hpp"
 #include "app/errors.hpp"
 
 namespace orbearing::app {

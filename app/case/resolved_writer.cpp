@@ -10,7 +10,7 @@
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_quantities.hpp"
 #include "app/case/field_table.hpp"
-#include "app/checksum.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::app {
 

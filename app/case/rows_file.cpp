@@ -12,7 +12,9 @@
 #include <sstream>
 #include <utility>
 
+#include "app/case/text_parts.hpp"
 #include "app/case/text_table.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

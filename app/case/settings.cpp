@@ -6,6 +6,8 @@
 
 #include "app/case/case_shape.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/text_parts.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -29,7 +29,7 @@ set(ORBEARING_CASE_SOURCES
   case/input_keys.cpp
   case/mistake.cpp
   case/oil_case.cpp
-  case/printable.cpp
+  case/text_parts.cpp
   case/profile_case.cpp
   case/requirements_case.cpp
   case/resolved_case.cpp

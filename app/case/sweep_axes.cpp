@@ -11,6 +11,7 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

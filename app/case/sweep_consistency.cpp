@@ -8,6 +8,7 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/settings.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -9,7 +9,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "app/case/text_parts.hpp"
 #include "app/case/units.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -22,6 +22,7 @@
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

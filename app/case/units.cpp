@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-#include "app/case/printable.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -18,6 +18,7 @@
 #include "app/errors.hpp"
 #include "coupling/analysis/stated_drivetrain.hpp"
 #include "mechanics/member_keys.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+#include "orbearing/text.hpp"
+
 namespace orbearing::app {
 
 namespace {

@@ -13,7 +13,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/case/printable.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
 #include "app/options/option_words.hpp"
@@ -22,6 +21,7 @@
 #include "app/standard_error.hpp"
 #include "app/version.hpp"
 #include "mechanics/cancellation.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

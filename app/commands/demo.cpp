@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/case/printable.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/report.hpp"
 #include "app/commands/sweep.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -7,10 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/checksum.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
@@ -18,6 +16,8 @@
 #include "app/study/plausibility.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/sweep_study.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

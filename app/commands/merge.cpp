@@ -6,6 +6,7 @@
 #include "app/study/life_peak.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/version.hpp"
+#include "orbearing/results.hpp"
 
 namespace orbearing::app {
 
@@ -39,7 +40,7 @@ int execute(const MergeOptions& options) {
   const std::vector<std::filesystem::path> shards(options.shards.begin(), options.shards.end());
   if (!options.grid_only) require_able_to_refine(shards);
   const SweepOutcome grid = merge_shards(shards, options.output, options.grid_only);
-  const ResolvedCase resolved = read_case(options.output + "/case.resolved.yaml");
+  const ResolvedCase resolved = read_case(options.output + "/" + resolved_case_name);
   if (!grid.header.refined) return present_sweep(resolved, grid, options.print);
   SweepRequest request = sweep_request(resolved, grid.header.fidelity);
   refine_peak_of(resolved, request);

@@ -8,11 +8,11 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/case/printable.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "app/commands/common_options.hpp"
-#include "app/resources.hpp"
+#include "orbearing/templates.hpp"
 
 namespace orbearing::app {
 

@@ -9,7 +9,6 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/case_file.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/results/motion_summary.hpp"
 #include "app/results/sweep_table.hpp"
@@ -25,6 +24,7 @@
 #include "app/study/sweep_warnings.hpp"
 #include "coupling/analysis/parallel.hpp"
 #include "coupling/analysis/roller_loads.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

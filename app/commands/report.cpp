@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "app/case/case_file.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/static_case.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -22,6 +21,9 @@
 #include "app/study/report_data.hpp"
 #include "app/study/scratch_case.hpp"
 #include "app/study/sweep_study.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/results.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 
@@ -144,7 +146,7 @@ std::vector<std::string> problems(const ReportOptions& options) {
 int execute(const ReportOptions& options) {
   const fs::path folder = options.folder;
   if (!options.bearing_points.empty()) {
-    print_object(bearing_points(read_case((folder / "case.resolved.yaml").string()),
+    print_object(bearing_points(read_case((folder / resolved_case_name).string()),
                                 nlohmann::ordered_json::parse(options.bearing_points), !options.print.quiet),
                  options.print);
     return 0;
@@ -153,7 +155,7 @@ int execute(const ReportOptions& options) {
   require_writable(folder);
   const FolderLock lock(folder);
   require_as_written(folder, manifest);
-  const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
+  const ResolvedCase resolved = read_case((folder / resolved_case_name).string());
   if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved) &&
       !is_static_run(resolved, manifest))
     throw BadInput(folder.string() + ": found results of the model " + resolved.choice("model") +

@@ -15,6 +15,7 @@
 #include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/case/text_parts.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"

@@ -15,7 +15,6 @@
 #include "app/case/catalogue_warnings.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
@@ -31,6 +30,7 @@
 #include "orbearing/request.hpp"
 #include "orbearing/sweep.hpp"
 #include "orbearing/table.hpp"
+#include "orbearing/text.hpp"
 
 struct orbearing_case {
   orbearing::Case of;
@@ -377,7 +377,7 @@ char* orbearing_machine_make(const orbearing_case* stated, const char* model, or
   return failure_of([&] {
     const std::string of = model;
     if (of != "bearing" && of != "gearset")
-      throw BadInput("model: found '" + app::printable(of) + "'; required: bearing or gearset");
+      throw BadInput("model: found '" + printable(of) + "'; required: bearing or gearset");
     *made = new orbearing_machine{of == "gearset" ? Participant::gearset(stated->of)
                                                   : Participant::bearing(stated->of)};
   });

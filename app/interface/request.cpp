@@ -86,11 +86,11 @@ Answer answer(const Request& request) {
       request_stop();
     };
   const app::ObservedProgress observed(std::move(observer));
-  app::Pace pace;
+  Pace pace;
   std::optional<system::ObservedMotions> motions;
   if (request.motion)
     motions.emplace([&](const system::MotionProgress& now) {
-      request.motion(app::motion_json(now, pace.seconds_left(now)).dump());
+      request.motion(app::motion_json(now, app::seconds_left(pace, now)).dump());
     });
   answer.code = app::execute(command);
   return answer;

@@ -8,8 +8,9 @@
 #include <type_traits>
 
 #include "app/case/field_table.hpp"
-#include "app/case/printable.hpp"
+#include "app/case/text_parts.hpp"
 #include "app/case/units.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -15,6 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "orbearing/files.hpp"
+
 namespace orbearing::app {
 namespace {
 
@@ -96,15 +98,6 @@ std::string remedy_of(int error) {
   }
 }
 
-void require_no_link(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored)))
-    throw BadInput(
-        fmt::format("{}: found a link to {}; required: a file or folder of its own, so that nothing outside "
-                    "is written to. Give another folder",
-                    path.string(), std::filesystem::read_symlink(path, ignored).string()));
-}
-
 void write_aside_and_rename(const std::vector<FileContent>& files) {
   std::vector<int> errors(files.size(), 0);
   bring_to_disk(files, errors);
@@ -143,18 +136,6 @@ void sync_folder(const std::filesystem::path& folder) {
   if (opened.number < 0) fail_to_write(folder, errno);
   // Some network file systems cannot do this for folders and report EINVAL.
   if (::fsync(opened.number) != 0 && errno != EINVAL) fail_to_write(folder, errno);
-}
-
-std::string read_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  // Opening a pipe would wait for its other end.
-  const bool regular = std::filesystem::is_regular_file(file, ignored);
-  std::ifstream stream;
-  if (regular) stream.open(file, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open() || stream.bad())
-    throw BadInput(file.string() + ": cannot be read; a readable file is required");
-  return content;
 }
 
 Descriptor::~Descriptor() {

@@ -28,9 +28,6 @@ struct WriteFailed : ComputationFailed {
 /// Remedy for a system failure with this `errno`: "make room" for a full disk.
 std::string remedy_of(int error);
 
-/// Throws BadInput where `path` is a symbolic link: files in a folder of results are never links.
-void require_no_link(const std::filesystem::path& path);
-
 struct FileContent {
   std::filesystem::path file;
   std::string_view content;
@@ -47,9 +44,6 @@ void require_writable(const std::filesystem::path& folder);
 
 /// Brings the names in `folder` to the disk. Throws WriteFailed.
 void sync_folder(const std::filesystem::path& folder);
-
-/// Whole content. Throws BadInput where the file cannot be read or is none, as a pipe is.
-std::string read_file(const std::filesystem::path& file);
 
 /// Closes what it holds; `release` first where the result of closing matters.
 struct Descriptor {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/checksum.hpp"
 #include "app/errors.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::app {
 namespace {

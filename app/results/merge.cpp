@@ -7,6 +7,8 @@
 #include "app/results/point_file.hpp"
 #include "app/results/sweep_run.hpp"
 #include "mechanics/cancellation.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/results.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -22,7 +24,7 @@ struct ShardResults {
 };
 
 fs::path resolved_file(const ShardResults& shard) {
-  return shard.folder / "case.resolved.yaml";
+  return shard.folder / resolved_case_name;
 }
 
 std::vector<ShardResults> read_shards(const std::vector<fs::path>& folders) {
@@ -58,7 +60,7 @@ void check_rows(const std::vector<ShardResults>& shards, std::vector<std::string
       messages.push_back(
           fmt::format("{}:{}:1: differs from what its sweep wrote; required: run the shard's sweep with "
                       "--resume, which computes the point again",
-                      (shard.folder / "manifest.jsonl").string(), line.number));
+                      (shard.folder / manifest_name).string(), line.number));
 }
 
 void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {

@@ -49,21 +49,9 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
   return text;
 }
 
-std::optional<double> Pace::seconds_left(const std::string& piece, double done, double all) {
-  if (last_ < 0.0 || done < last_ || piece != piece_) {
-    start_ = Clock::now();
-    from_ = done;
-    piece_ = piece;
-  }
-  last_ = done;
-  if (!(done > from_)) return std::nullopt;
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  return seconds * std::max(0.0, all - done) / (done - from_);
-}
-
 // A point begins at time 0, and another one may roll at another speed.
-std::optional<double> Pace::seconds_left(const system::MotionProgress& now) {
-  return seconds_left(fmt::format("{}", now.rolling_cage_speed), now.time, now.expected);
+std::optional<double> seconds_left(Pace& pace, const system::MotionProgress& now) {
+  return pace.seconds_left(fmt::format("{}", now.rolling_cage_speed), now.time, now.expected);
 }
 
 namespace {
@@ -142,7 +130,7 @@ void Progress::show(std::size_t done, double work) {
 
 void Progress::show_motion(const system::MotionProgress& motion) {
   const std::scoped_lock lock(printing_);
-  const std::optional<double> left = pace_.seconds_left(motion);
+  const std::optional<double> left = seconds_left(pace_, motion);
   const Clock::time_point now = Clock::now();
   if (now - last_ < least_pause) return;
   last_ = now;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "coupling/system/motion_progress.hpp"
+#include "orbearing/pace.hpp"
 
 namespace orbearing::app {
 
@@ -31,20 +32,8 @@ class ObservedProgress {
   ~ObservedProgress();
 };
 
-/// Time to go of one piece of work after the other, by what each has done since it was first seen.
-class Pace {
- public:
-  /// [s]  of the piece that is called so; none at its first sight
-  std::optional<double> seconds_left(const std::string& piece, double done, double all);
-  /// The same of a motion.
-  std::optional<double> seconds_left(const system::MotionProgress& now);
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_{};
-  double from_ = 0.0, last_ = -1.0;  // done
-  std::string piece_;
-};
+/// Time to go of a motion [s]; none at its first sight.
+std::optional<double> seconds_left(Pace& pace, const system::MotionProgress& now);
 
 /// "run 2 of at most 8: 0.0231 s of 0.18 s in motion, 13 %, 0:04 to go". A motion that is not yet steady may
 /// last longer than expected.

@@ -6,19 +6,18 @@
 #include <cstdio>
 #include <system_error>
 
-#include "app/checksum.hpp"
 #include "app/errors.hpp"
 #include "app/results/spectrum_life.hpp"
 #include "app/standard_error.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/results.hpp"
 
 namespace orbearing::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* manifest_name = "manifest.jsonl";
 constexpr const char* points_name = "points";
-constexpr const char* resolved_name = "case.resolved.yaml";
 constexpr const char* table_name = "sweep.csv";
 constexpr const char* spectrum_name = "spectrum.csv";
 
@@ -155,7 +154,7 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
   make_folder(folder_ / points_name);
   remove_leftovers(folder_);
   remove_leftovers(folder_ / points_name);
-  write_where_unlike(folder_ / resolved_name, resolved_case);
+  write_where_unlike(folder_ / resolved_case_name, resolved_case);
   sync_folder(folder_);
   finished_ = std::move(manifest.entries);
   std::erase_if(finished_, [&](const auto& entry) {
@@ -190,7 +189,7 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
 
 void ResultFolder::discard() {
   std::error_code ignored;
-  for (const char* name : {points_name, resolved_name, table_name, spectrum_name, manifest_name})
+  for (const char* name : {points_name, resolved_case_name, table_name, spectrum_name, manifest_name})
     fs::remove_all(folder_ / name, ignored);
   remove_leftovers(folder_);
   finished_.clear();
@@ -239,7 +238,7 @@ Manifest read_results(const fs::path& folder) {
 }
 
 std::string fault_of_case(const fs::path& folder, const ManifestHeader& header) {
-  const fs::path resolved = folder / resolved_name;
+  const fs::path resolved = folder / resolved_case_name;
   return checksum(read_file(resolved)) == header.case_hash
              ? ""
              : resolved.string() + ": differs from what its run wrote";

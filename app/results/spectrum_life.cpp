@@ -9,12 +9,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/results/motion_summary.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 namespace {

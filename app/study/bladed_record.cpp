@@ -16,9 +16,10 @@
 #include <map>
 #include <sstream>
 
-#include "app/case/printable.hpp"
+#include "app/case/text_parts.hpp"
 #include "app/case/units.hpp"
 #include "app/study/record_file.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

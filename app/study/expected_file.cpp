@@ -14,6 +14,8 @@
 #include "app/results/durable_file.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

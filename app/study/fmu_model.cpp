@@ -19,6 +19,7 @@
 #include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
 #include "coupling/system/driven_bearing.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::app {
 

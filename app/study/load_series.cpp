@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "app/case/printable.hpp"
+#include "app/case/text_parts.hpp"
 #include "app/case/text_table.hpp"
 #include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
@@ -16,6 +16,7 @@
 #include "app/results/record_writers.hpp"
 #include "app/study/record_file.hpp"
 #include "app/units.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

@@ -10,10 +10,10 @@
 #include <optional>
 
 #include "app/case/field_table.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/units.hpp"
 #include "app/errors.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

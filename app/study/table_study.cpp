@@ -21,6 +21,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/version.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::analysis {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableSplit, input, at, below, above)

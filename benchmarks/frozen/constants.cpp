@@ -31,8 +31,9 @@ void check(const bearing::motion::BearingModel& model) {
   require_within(is_plain(model), "waves, unequal or crowned rollers, mixed lubrication or pocket film");
   require_within(model.inner.film, "dry contacts");
   const auto& friction = model.inner.friction;
-  require_within(!friction.limiting_shear && friction.rolling_resistance && !friction.computed_rolling,
-                 "limiting shear, and not rolling resistance off or computed");
+  require_within(friction.traction == bearing::TractionLaw::regularised_coulomb &&
+                     friction.rolling_resistance && !friction.computed_rolling,
+                 "law of friction but Coulomb's, and not rolling resistance off or computed");
   require_within(model.land.present && model.land.on_bore, "other guidance than on the outer ring");
   require_within(model.excitation.harmonics.empty() && model.driving.ramp == 0.0,
                  "loads that change in time");

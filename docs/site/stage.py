@@ -23,7 +23,7 @@ from pathlib import Path
 import tutorial
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
+FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "page", "python", "cases", "tests", "benchmarks", "docs")
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
 PICTURES = (".png", ".jpg", ".svg")
 PAPER = Path("docs/paper")  # for a journal, in its own form of Markdown

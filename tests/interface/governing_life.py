@@ -189,7 +189,7 @@ class Drivetrains(unittest.TestCase):
                 status, _, data = server.request("run", pathlib.Path(file).read_text(encoding="utf-8"), [f"{path}={value}" for path, value in values.items()])
                 self.assertEqual(status, 200, data)
                 results.append(json.loads(data))
-        script = (program.CASES.parent / "app" / "page" / "web" / "tiles.js").resolve().as_uri()
+        script = (program.CASES.parent / "page" / "web" / "tiles.js").resolve().as_uri()
         done = subprocess.run([NODE, "--input-type=module", "-e", TILES, script], input=json.dumps(results), capture_output=True, text=True, check=False, timeout=program.SECONDS)
         self.assertEqual(done.returncode, 0, done.stderr)
         tiles = dict(zip(DRIVETRAINS, json.loads(done.stdout), strict=True))

@@ -158,7 +158,7 @@ def python_messages(text):
 def all_ids():
     """id -> words, of all messages in the sources."""
     ids = {}
-    for folder in ("mechanics", "gearset", "bearing", "coupling", "app", "python"):
+    for folder in ("mechanics", "gearset", "bearing", "coupling", "app", "page", "python"):
         for path in sorted((SOURCE / folder).rglob("*")):
             file = path.relative_to(SOURCE).as_posix()
             if file in NO_MESSAGES:

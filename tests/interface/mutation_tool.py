@@ -150,7 +150,7 @@ class Glue(unittest.TestCase):
 
 
 PAGE_TEST = """import os, pathlib, subprocess, sys
-page = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "app" / "page" / "web"
+page = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "page" / "web"
 said = subprocess.run(["node", str(page / "shown.mjs")], capture_output=True, text=True).stdout
 if said.strip() != "7":
     print("FAIL: test_what_is_drawn", file=sys.stderr)
@@ -165,7 +165,7 @@ class PageScripts(unittest.TestCase):
     def test_an_error_is_found_in_a_copy(self):
         with tempfile.TemporaryDirectory() as folder:
             root, home = pathlib.Path(folder) / "root", pathlib.Path(folder) / "home"
-            web, tests = root / "app" / "page" / "web", root / "tests" / "interface"
+            web, tests = root / "page" / "web", root / "tests" / "interface"
             for place in (web, tests, home):
                 place.mkdir(parents=True)
             right = "const a = 3; const b = 4; const unused = a <= b;\nconsole.log(a + b);\n"
@@ -176,7 +176,7 @@ class PageScripts(unittest.TestCase):
             copies.measure(self.fail)
             def judged(line, before, after):
                 at = right.splitlines()[line - 1].index(before)
-                return copies.finder(draw.Mutant("kind", "app/page/web/code.js", line, at, at + len(before), "", "", after, 0))
+                return copies.finder(draw.Mutant("kind", "page/web/code.js", line, at, at + len(before), "", "", after, 0))
             self.assertEqual(judged(2, "a + b", "a - b"), ("interface", "page_drawn.py: test_what_is_drawn"))
             self.assertEqual(judged(1, "a <= b", "a >= b"), ("none", ""))
             self.assertEqual(judged(2, "a + b", "a + +* b"), ("no program", ""))
@@ -184,7 +184,7 @@ class PageScripts(unittest.TestCase):
             self.assertNotEqual(judged(2, "a + b", "a * b"), ("none", ""))  # the copy is whole again, and takes the next one
 
     def test_a_draw_has_a_new_seed_and_can_be_repeated(self):
-        def listed(*words, files=("*/rexs/s*.py", "app/page/web/s*")):  # of few files, since the draw reads all of them
+        def listed(*words, files=("*/rexs/s*.py", "page/web/s*")):  # of few files, since the draw reads all of them
             return subprocess.run([sys.executable, str(SOURCE / "tools" / "mutation"), "--glue", "--list", "--count", "20", "--files", *files, *words],
                                   capture_output=True, text=True, check=True).stdout
         before = int(time.time())
@@ -195,7 +195,7 @@ class PageScripts(unittest.TestCase):
         self.assertNotEqual(listed("--seed", str(int(seed) + 1)).splitlines()[1:], first.splitlines()[1:])
         files = set(re.findall(r"^ *\d+  ([^:\s]+):\d+ ", first, re.MULTILINE))
         self.assertGreater(len(files), 1)
-        self.assertTrue(all(file.startswith(("python/orbearing/rexs/s", "app/page/web/s")) for file in files), files)
+        self.assertTrue(all(file.startswith(("python/orbearing/rexs/s", "page/web/s")) for file in files), files)
         with self.assertRaises(subprocess.CalledProcessError) as raised:
             listed(files=["nowhere/*"])
         self.assertEqual(raised.exception.returncode, 2)

@@ -1098,7 +1098,7 @@ class TakenAway(Drawn):
 
     def test_the_token_of_the_address_is_not_kept(self):
         found = page([dump(narrowly=["cursor"])])
-        self.assertTrue(found["address"].endswith("/app/page/"), found["address"])
+        self.assertTrue(found["address"].endswith("/page/"), found["address"])
         self.assertNotIn("secret", json.dumps(found))
 
 

@@ -27,7 +27,7 @@ if int(subprocess.run([NODE, "--version"], capture_output=True, text=True, check
     sys.exit(77)
 
 HERE = pathlib.Path(__file__).resolve().parent
-WEB = CASES.parent / "app" / "page" / "web"
+WEB = CASES.parent / "page" / "web"
 RPM = 30 / math.pi
 SCHEMA = json.loads((CASES / "result.schema.json").read_text(encoding="utf-8"))
 POINT = {**SCHEMA["$defs"]["sweep"]["properties"]["points"]["items"]["properties"], **SCHEMA["$defs"]["run sweep"]["properties"]["points"]["items"]["properties"]}

@@ -30,7 +30,7 @@ FOUR_SPEEDS = ("sweep.input.speed=[4000 rpm, 5000 rpm, 6000 rpm, 7000 rpm]", "si
                "simulation.observed_revolutions=1", "simulation.length_error=1e-5 mm")
 SLOW = {"fidelity": "dynamic", "grid_only": True, "jobs": 1}
 # As the program finds its files: those of the source tree where they are there.
-SOURCE_FILES = CASES.parent / "app" / "page" / "web"
+SOURCE_FILES = CASES.parent / "page" / "web"
 HARMFUL = "<script>alert(1)</script><img src=x onerror=alert(2)>"
 
 

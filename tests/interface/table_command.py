@@ -21,7 +21,7 @@ MIDDLE = {"speed": "4000 rpm", "power": 150e3}
 
 
 def checksum(text):
-    """FNV-1a, as app/checksum.hpp has it."""
+    """FNV-1a, as include/orbearing/files.hpp has it."""
     value = 0xCBF29CE484222325
     for byte in text.encode():
         value = ((value ^ byte) * 0x100000001B3) % 2**64

@@ -111,7 +111,7 @@ class WorstBearing(unittest.TestCase):
         self.each(test)
 
     def tiles(self, runs):
-        script = (program.CASES.parent / "app" / "page" / "web" / "tiles.js").resolve().as_uri()
+        script = (program.CASES.parent / "page" / "web" / "tiles.js").resolve().as_uri()
         done = subprocess.run([NODE, "--input-type=module", "-e", TILES, script], input=json.dumps(runs), capture_output=True, text=True, check=False, timeout=program.SECONDS)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)

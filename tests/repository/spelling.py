@@ -11,7 +11,7 @@ import sys
 ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 HERE = pathlib.Path(__file__).parent
 PARTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "app", "bearing", "benchmarks", "cases", "cmake", "coupling", "docs", "gearset", "include",
-         "mechanics", "python", "tests", "tools")
+         "mechanics", "page", "python", "tests", "tools")
 KINDS = {".md", ".py", ".cpp", ".hpp", ".yaml", ".js", ".css", ".html", ".sh", ".txt", ".cmake", ".pytxt", ".cff", ".bib", ""}
 FOREIGN = {"words.txt", "not_yet.list"}  # the list itself; words that are no words
 

@@ -178,5 +178,5 @@ def is_program(mutant: Mutant, text: str) -> bool:
     return re.search(rf"\b{word[0]}\b", text) is not None
 
 
-GLUE = Subject("glue and figures", ("coupling/analysis", "coupling/system", "app", "python/orbearing"), re.compile(r"app/case/schema\.cpp$"),
+GLUE = Subject("glue and figures", ("coupling/analysis", "coupling/system", "app", "page", "python/orbearing"), re.compile(r"app/case/schema\.cpp$"),
                {".cpp": CPP, ".hpp": CPP, ".py": PYTHON, ".js": PYTHON}, {".cpp": "", ".hpp": "", ".py": "python: ", ".js": "python: "}, lines_of, is_program)

@@ -11,7 +11,7 @@ import time
 from .draw import Mutant
 from .trial import LEAST_PATIENCE, PATIENCE, run, with_error
 
-FOLDER = "app/page/web"
+FOLDER = "page/web"
 TESTS = "page_drawn*.py"  # what the page draws, by node without a browser
 LONGEST = 1800.0  # [s] of a test without an error
 SKIPPED = 77

@@ -406,7 +406,7 @@ class Copy:
                 skip = True
             elif word not in ("-MD", "-MMD") and not word.endswith("ccache"):
                 kept.append(word)
-        views = [f"-I{self.folder}/view/{one}" for one in ("mechanics", "gearset", "bearing", "coupling", "app")]
+        views = [f"-I{self.folder}/view/{one}" for one in ("mechanics", "gearset", "bearing", "coupling", "app", "page")]
         return [(self.tree / name, [*kept, *views, "-w", "-g0", "-c", str(self.tree / name)]) for name in names]
 
     def compiles(self, mutant: Mutant) -> bool:

@@ -9,14 +9,15 @@
 
 #include "app/case/drivetrain_reader.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/text_parts.hpp"
 #include "app/case/text_table.hpp"
 #include "app/errors.hpp"
 #include "app/options/option_json.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
+#include "orbearing/text.hpp"
 
 namespace orbearing::app {
 

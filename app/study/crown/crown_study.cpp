@@ -8,6 +8,7 @@
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "bearing/life/basic_life.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::app {
 

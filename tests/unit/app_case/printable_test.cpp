@@ -1,4 +1,4 @@
-#include "app/case/printable.hpp"
+#include "orbearing/text.hpp"
 
 #include <gmock/gmock.h>
 
@@ -59,7 +59,8 @@ TEST(Printable, HoldsForKeysAndNamesOfFiles) {
     FAIL();
   } catch (const BadInput& error) {
     EXPECT_THAT(error.messages.front(), StartsWith("case\\n.yaml:1:1: "));
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("(file): an escape that makes a control character"), Not(HasSubstr("\x1b"))));
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("(file): an escape that makes a control character"), Not(HasSubstr("\x1b"))));
   }
 }
 

@@ -109,14 +109,14 @@ TEST(Progress, PaceIsThatOfEachMotion) {
     return system::MotionProgress{
         .time = time, .most = 1.0, .expected = 0.5, .rolling_cage_speed = rolling, .bearing = bearing};
   };
-  EXPECT_FALSE(pace.seconds_left(at(0.1, 10.0)));
+  EXPECT_FALSE(seconds_left(pace, at(0.1, 10.0)));
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const bool slept =
-      *pace.seconds_left(at(0.2, 10.0)) >= 0.06;  // at least 0.02 s for 0.1 s, of 0.3 s that are left
+      *seconds_left(pace, at(0.2, 10.0)) >= 0.06;  // at least 0.02 s for 0.1 s, of 0.3 s that are left
   EXPECT_TRUE(slept);
-  EXPECT_EQ(*pace.seconds_left(at(0.5, 10.0)), 0.0);
-  EXPECT_FALSE(pace.seconds_left(at(0.3, 10.0))) << "another motion, as its time is earlier";
-  EXPECT_FALSE(pace.seconds_left(at(0.4, 20.0))) << "another one, as it rolls at another speed";
+  EXPECT_EQ(*seconds_left(pace, at(0.5, 10.0)), 0.0);
+  EXPECT_FALSE(seconds_left(pace, at(0.3, 10.0))) << "another motion, as its time is earlier";
+  EXPECT_FALSE(seconds_left(pace, at(0.4, 20.0))) << "another one, as it rolls at another speed";
 }
 
 }  // namespace

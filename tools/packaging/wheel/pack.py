@@ -48,7 +48,7 @@ def content(build: Path):
         if name.endswith((".so", ".dll")):
             yield name, data
     yield from files_below(ROOT / "cases", "orbearing/share/orbearing/cases")
-    yield from files_below(ROOT / "app" / "page" / "web", "orbearing/share/orbearing/page")
+    yield from files_below(ROOT / "page" / "web", "orbearing/share/orbearing/page")
     info = f"orbearing-{version()}.dist-info"
     yield f"{info}/METADATA", metadata(project).encode()
     yield f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: orbearing\nRoot-Is-Purelib: false\nTag: {TAG}\n".encode()

@@ -6,7 +6,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/PackagesByHeaders.cmake")
 
 set(orbearing_wheel_folder "${CMAKE_CURRENT_LIST_DIR}")
 set(orbearing_stand_ins "${CMAKE_CURRENT_LIST_DIR}/stand_ins")
-set(here "${PROJECT_SOURCE_DIR}/app/page/wasm")  # where libc++ was the first time
+set(here "${PROJECT_SOURCE_DIR}/page/wasm")  # where libc++ was the first time
 include_directories(SYSTEM "${orbearing_stand_ins}" "${ORBEARING_WHEEL_LIBRARIES}/include")
 add_compile_options(-w -fno-sanitize=all)
 
@@ -33,12 +33,12 @@ set(UDUNITS2_LIBRARY orbearing_units CACHE STRING "")
 
 # Behind all targets: a library that shows its C functions alone, and a server without encryption.
 function(orbearing_wheel)
-  set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/page_server.cpp" TARGET_DIRECTORY orbearing_app_core
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/page/page_server.cpp" TARGET_DIRECTORY orbearing_page
     PROPERTIES COMPILE_DEFINITIONS "")
-  set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/workers.cpp" TARGET_DIRECTORY orbearing_app_core
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/page/workers.cpp" TARGET_DIRECTORY orbearing_page
     PROPERTIES COMPILE_OPTIONS "-include;${orbearing_stand_ins}/older_glibc.hpp")
   set_source_files_properties("${PROJECT_SOURCE_DIR}/bearing/film/reynolds/point.cpp" TARGET_DIRECTORY orbearing_bearing
-    PROPERTIES COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/app/page/wasm/elliptic_integrals.hpp")
+    PROPERTIES COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/page/wasm/elliptic_integrals.hpp")
   set_target_properties(orbearing_library PROPERTIES NO_SONAME ON LINK_OPTIONS
     "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-Wl,-z,defs;-s")
   set_target_properties(orbearing_fmu_linux64 PROPERTIES LINK_OPTIONS

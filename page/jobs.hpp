@@ -7,9 +7,9 @@
 #include <map>
 #include <thread>
 
-#include "app/page/workers.hpp"
+#include "page/workers.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 /// Events of a job from a place on, as a reader takes them.
 struct NewEvents {
@@ -106,4 +106,4 @@ class Jobs {
   std::size_t last_ = 0;
 };
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -1,4 +1,4 @@
-#include "app/page/opened.hpp"
+#include "page/opened.hpp"
 
 #include <fmt/format.h>
 
@@ -8,29 +8,19 @@
 #include <functional>
 #include <vector>
 
-#include "app/case/case_file.hpp"
-#include "app/case/printable.hpp"
-#include "app/case/units.hpp"
-#include "app/checksum.hpp"
-#include "app/commands/presentation.hpp"
-#include "app/errors.hpp"
-#include "app/resources.hpp"
-#include "app/results/durable_file.hpp"
-#include "app/results/result_folder.hpp"
-#include "app/study/analysis.hpp"
-#include "app/study/crown/crown_study.hpp"
-#include "app/study/fidelity.hpp"
-#include "app/study/report_data.hpp"
-#include "app/version.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/quantity.hpp"
+#include "orbearing/results.hpp"
+#include "orbearing/templates.hpp"
+#include "orbearing/text.hpp"
+#include "orbearing/version.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* resolved_name = "case.resolved.yaml";
-constexpr const char* manifest_name = "manifest.jsonl";
 constexpr std::uintmax_t largest_case = 4U << 20U;  // [byte]
 
 Opened opened_file(const fs::path& file, const char* kind) {
@@ -45,17 +35,10 @@ Opened opened_file(const fs::path& file, const char* kind) {
   return {kind, file.filename().string(), std::move(text), file.filename().string(), std::move(folder)};
 }
 
-// Fault of a folder of results whose case has changed since its sweep began; else empty.
-std::string fault_of_results(const fs::path& folder) {
-  const fs::path file = folder / manifest_name;
-  const Manifest manifest = parse_manifest(read_file(file), file.string());
-  return manifest.header ? fault_of_case(folder, *manifest.header) : "";
-}
-
 Opened opened_folder(const fs::path& folder) {
   if (fs::exists(folder / manifest_name)) {
-    Opened opened = opened_file(folder / resolved_name, "results");
-    require_undamaged({fault_of_results(folder)});
+    Opened opened = opened_file(folder / resolved_case_name, "results");
+    require_case_of_results(folder);
     opened.name = fs::canonical(folder).filename().string();
     return opened;
   }
@@ -91,56 +74,6 @@ Opened read_again(const Opened& opened) {
   return now;
 }
 
-namespace {
-
-bool is_sweep(const Manifest& manifest) {
-  const std::vector<std::string>& names = fidelity_names();
-  return std::ranges::find(names, manifest.header->fidelity) != names.end();
-}
-
-// As --json printed it, where the folder holds it.
-Json printed_result(const Opened& opened, const ResolvedCase& resolved) {
-  if (holds_crown(opened.folder)) return read_crown(opened.folder).object;
-  const Analysis* analysis = analysis_of(resolved);
-  if (analysis == nullptr || analysis->names.json_file == nullptr) return nullptr;
-  const fs::path file = opened.folder / analysis->names.json_file;
-  return fs::exists(file) ? Json::parse(read_file(file)) : Json();
-}
-
-// Options by which `sweep --resume` continues.
-Json options_of(const ManifestHeader& header) {
-  Json options{{"fidelity", header.fidelity}, {"grid_only", !header.refined}};
-  if (header.continued) options["continue"] = to_string(*header.continued);
-  return options;
-}
-
-Json results_json(const Opened& opened) {
-  const Manifest manifest = read_results(opened.folder);
-  require_undamaged({fault_of_case(opened.folder, *manifest.header)});
-  const ResolvedCase resolved = parse_case(opened.text, resolved_name);
-  Json object{{"fidelity", manifest.header->fidelity}};
-  if (!is_sweep(manifest)) {
-    object["finished"] = !manifest.entries.empty();
-    object["result"] = printed_result(opened, resolved);
-    return object;
-  }
-  const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
-  Json points = Json::array();
-  for (const SweepRow& row : outcome.rows) points.push_back(row_json(outcome.header, row));
-  const MissingPoints missing = missing_points(resolved, manifest);
-  object["finished"] = missing.none();
-  object["missing"] = missing_json(missing, manifest);
-  object["points"] = std::move(points);
-  Record form;
-  if (missing.none())
-    object["result"] = sweep_object(resolved, outcome, form);
-  else if (!manifest.header->shard)
-    object["options"] = options_of(*manifest.header);
-  return object;
-}
-
-}  // namespace
-
 Json opened_json(const Opened& opened) {
   Json object{{"kind", opened.kind},
               {"name", opened.name},
@@ -148,11 +81,11 @@ Json opened_json(const Opened& opened) {
               {"text", opened.text},
               {"folder", opened.folder.string()},
               {"writable", !opened.folder.empty()},
-              {"version", program_version}};
+              {"version", version()}};
   if (!opened.file.empty()) object["checksum"] = checksum(opened.text);
   if (!opened.fault.empty()) object["error"] = opened.fault;
   if (opened.kind == "results") try {
-      object.update(results_json(opened));
+      object.update(Json::parse(results_json(opened.folder)));
     } catch (const std::exception& error) {
       object["error"] = printable(error.what());
     }
@@ -180,12 +113,12 @@ bool holds_results(const fs::path& folder) {
 }
 
 Json line_of_folder(const fs::path& folder) try {
-  const Manifest manifest = read_results(folder);
+  const ResultsInBrief found = results_in_brief(folder);
   return {{"name", folder.filename().string()},
-          {"case", printable(manifest.header->case_name)},
-          {"fidelity", manifest.header->fidelity},
-          {"points", manifest.entries.size()},
-          {"of", std::max(manifest.header->own_points(), manifest.entries.size())}};
+          {"case", printable(found.case_name)},
+          {"fidelity", found.fidelity},
+          {"points", found.points},
+          {"of", found.of}};
 } catch (const std::exception&) {
   return nullptr;  // nothing to continue
 }
@@ -253,7 +186,7 @@ void save(const Opened& opened, const std::string& file, const std::string& text
         "request: file: found {}, which the folder of results holds; required: another name", quote(file)));
   require_no_link(place);
   require_version(place, text, began_with);
-  write_aside_and_rename(place, text);
+  write_file(place, text);
 }
 
 namespace {
@@ -311,16 +244,13 @@ Json converted(const Json& request) {
     return request[key].get<std::string>();
   };
   const std::string value = text_at("value"), unit = text_at("unit");
-  const Reading<WrittenQuantity> written = split_quantity(value);
-  if (!written.value)
-    throw BadInput(fmt::format("request: value: {}; required: a number with its unit", written.fault));
-  const Reading<double> number = convert(written.value->value, written.value->unit, unit);
-  if (!number.value)
-    throw BadInput(fmt::format("request: value: {}; required: a unit of the same dimension as {}",
-                               number.fault, quote(unit)));
-  // A conversion is exact to 15 digits.
-  const std::string digits = fmt::format("{:.15g}", *number.value);
-  return {{"number", std::stod(digits)}, {"text", digits + " " + unit}};
+  try {
+    // A conversion is exact to 15 digits.
+    const std::string digits = fmt::format("{:.15g}", in_unit(value, unit));
+    return {{"number", std::stod(digits)}, {"text", digits + " " + unit}};
+  } catch (const BadInput& fault) {
+    throw BadInput(std::string("request: value: ") + fault.what());
+  }
 }
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/case/units.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/errors.hpp"
+#include "orbearing/quantity.hpp"
 #include "orbearing/request.hpp"
 
 // engine_worker.js passes them on to the page.
@@ -49,13 +49,8 @@ std::string computed(const Json& asked) {
 // {"value": "3 mm", "unit": "um"} -> 3000
 std::string converted(const Json& asked) {
   const std::string value = asked.value("value", ""), unit = asked.value("unit", "");
-  const app::Reading<app::WrittenQuantity> written = app::split_quantity(value);
-  const app::Reading<double> number = written.value
-                                          ? app::convert(written.value->value, written.value->unit, unit)
-                                          : app::Reading<double>{std::nullopt, written.fault};
-  if (!number.value) return failure(2, {value + ": " + number.fault});
-  return Json{{"code", 0},
-              {"result", {{"number", *number.value}, {"text", fmt::format("{} {}", *number.value, unit)}}}}
+  const double number = in_unit(value, unit);
+  return Json{{"code", 0}, {"result", {{"number", number}, {"text", fmt::format("{} {}", number, unit)}}}}
       .dump();
 }
 

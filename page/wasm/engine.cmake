@@ -2,7 +2,7 @@
 # CMAKE_PROJECT_Orbearing_INCLUDE (build.sh), so that the other build files hold nothing about browsers. Sources are
 # those that the folders list; left out is what needs threads, netCDF, processes or FMUs.
 
-include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/PackagesByHeaders.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/PackagesByHeaders.cmake")
 foreach(library IN ITEMS UDUNITS2 NETCDF LIBZIP)
   set(${library}_LIBRARY "not needed" CACHE STRING "")
 endforeach()
@@ -29,7 +29,7 @@ set_target_properties(nlopt PROPERTIES SOURCES "${searches};${CMAKE_CURRENT_LIST
 
 # Behind all targets: the program's sources become those of the engine.
 function(orbearing_engine)
-  set(here "${PROJECT_SOURCE_DIR}/app/page/wasm")
+  set(here "${PROJECT_SOURCE_DIR}/page/wasm")
   set(missing "SHELL:-include ${here}/missing_library.hpp")
   set_source_files_properties("${PROJECT_SOURCE_DIR}/coupling/analysis/parallel.cpp"
     TARGET_DIRECTORY orbearing_coupling PROPERTIES HEADER_FILE_ONLY ON)
@@ -43,9 +43,12 @@ function(orbearing_engine)
   endforeach()
   get_target_property(sources orbearing_app_core SOURCES)
   get_target_property(case_sources orbearing_app_case SOURCES)
-  list(APPEND sources ${case_sources} interface/case.cpp interface/request.cpp)
+  list(APPEND sources ${case_sources})
+  foreach(name IN ITEMS case files pace quantity request templates text)
+    list(APPEND sources interface/${name}.cpp)
+  endforeach()
   list(FILTER sources EXCLUDE REGEX
-    "^\\$<|^page/|commands/(demo|fmu|merge|new_case|python_part|report|spectrum|validate)\\.cpp")
+    "^\\$<|commands/(demo|fmu|merge|new_case|open|open_not_built|python_part|report|spectrum|validate)\\.cpp")
   list(FILTER sources EXCLUDE REGEX
     "results/(merge|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
   list(FILTER sources EXCLUDE REGEX "study/(bladed_record|foreign_record|netcdf_record|openfast_record|record_file)\\.cpp")

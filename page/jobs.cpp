@@ -1,4 +1,4 @@
-#include "app/page/jobs.hpp"
+#include "page/jobs.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/errors.hpp"
+#include "orbearing/errors.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 namespace {
 
@@ -192,4 +192,4 @@ std::vector<fs::path> Jobs::end() {
   return kept;
 }
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

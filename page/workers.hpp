@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 using Json = nlohmann::ordered_json;
 
@@ -28,11 +28,18 @@ struct Message {
   std::string payload;  // of "end": the bytes of --json, or a page
 };
 
+/// The program whose process calls work(): its words, behind which the folder of the case is put, and its
+/// environment, "NAME=value".
+struct WorkerProgram {
+  std::vector<std::string> words;
+  std::vector<std::string> environment;
+};
+
 /// A process that answers requests, one after the other.
 class Worker {
  public:
   /// Files that a case names are read from `folder` alone; empty: none are.
-  explicit Worker(const std::filesystem::path& folder);
+  Worker(const WorkerProgram& program, const std::filesystem::path& folder);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   /// Ends the process, whatever it does.
@@ -56,14 +63,16 @@ class Worker {
 /// Processes that wait for requests, so that none waits for the start of a process.
 class Workers {
  public:
-  explicit Workers(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Workers(WorkerProgram program, std::filesystem::path folder)
+      : program_(std::move(program)), folder_(std::move(folder)) {}
 
   std::unique_ptr<Worker> take();
   /// Takes back a process that has answered.
   void give_back(std::unique_ptr<Worker> worker);
-  std::unique_ptr<Worker> fresh() const { return std::make_unique<Worker>(folder_); }
+  std::unique_ptr<Worker> fresh() const { return std::make_unique<Worker>(program_, folder_); }
 
  private:
+  WorkerProgram program_;
   std::filesystem::path folder_;
   std::mutex taking_;
   std::vector<std::unique_ptr<Worker>> idle_;
@@ -77,4 +86,4 @@ Message answer_within(Workers& workers, const Json& request, std::chrono::second
 /// The process itself: answers what comes by standard input until that ends. Returns the exit code.
 int work();
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -6,15 +6,14 @@
 
 #include <cstdio>
 
-#include "app/case/printable.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/commands/open.hpp"
 #include "app/errors.hpp"
-#include "app/page/page_server.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/standard_error.hpp"
 #include "mechanics/cancellation.hpp"
+#include "page/page_server.hpp"
 
 namespace orbearing::app {
 
@@ -46,6 +45,22 @@ class LeadingFile {
   fs::path folder_;
 };
 
+// This program; where it is a part of Python, the command of its package.
+std::vector<std::string> this_program() {
+  std::error_code ignored;
+  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  if (self != fs::canonical(resources().interpreter, ignored)) return {self.string()};
+  return {resources().interpreter.string(), "-m", "orbearing.command_line"};
+}
+
+std::vector<std::string> environment_of_program() {
+  std::vector<std::string> variables;
+  for (char** one = environ; *one != nullptr; ++one)
+    if (!std::string_view(*one).starts_with("PYTHONPATH=")) variables.emplace_back(*one);
+  variables.push_back("PYTHONPATH=" + resources().package.string());
+  return variables;
+}
+
 // Opens the file with the desktop's default program; does not wait for it to end.
 void show_in_browser(const std::string& file) {
   std::string words[] = {"xdg-open", file};
@@ -72,8 +87,12 @@ int work_within(const std::string& folder) {
 
 int execute(const OpenOptions& options) {
   if (options.worker) return work_within(options.opened);
-  page::PageSettings settings{
-      .opened = page::opened_as(options.opened), .files = page_files(), .port = options.port};
+  page::PageSettings settings{.opened = page::opened_as(options.opened),
+                              .files = page_files(),
+                              .schemas = shipped_cases(),
+                              .worker = {this_program(), environment_of_program()},
+                              .port = options.port};
+  for (const char* word : {"open", "--worker"}) settings.worker.words.emplace_back(word);
   settings.linger = std::chrono::seconds(options.linger);
   settings.interrupted = [] { return stop_requested(); };
   LeadingFile leading;

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Engine B: the core as WebAssembly, and the page with it as a folder of static files.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../../../tools/lib.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../tools/lib.sh"
 
 # build.sh FOLDER: into FOLDER; objects are kept in build/wasm.
 folder=$1
-here="$root/app/page/wasm"
+here="$root/page/wasm"
 build="$root/build/wasm"
 toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 [ -r "$toolchain" ] || stop 2 "the page with engine B needs Debian's package emscripten"

@@ -1,12 +1,12 @@
-// Text of the user's, made fit for one line of a terminal.
+// Text of any source made fit to be shown: names of files and keys of others may hold what a terminal or a
+// page takes as a command.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
-namespace orbearing::app {
+namespace orbearing {
 
 /// Length [byte] of the UTF-8 character that begins at `at`; 0 where none does.
 std::size_t utf8_character(std::string_view text, std::size_t at);
@@ -26,12 +26,4 @@ std::string shortened(std::string_view text);
 /// The same in quotes.
 std::string quote(std::string_view text);
 
-/// A text without the blanks around it.
-std::string trimmed(std::string_view text);
-
-/// Parts of a text between separators, without the blanks around them.
-std::vector<std::string> parts_of(std::string_view text, char separator);
-
-void replace_all(std::string& text, std::string_view what, std::string_view by);
-
-}  // namespace orbearing::app
+}  // namespace orbearing

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 using Json = nlohmann::ordered_json;
 
@@ -61,4 +61,4 @@ std::string no_lives(const std::string& reason);
 /// A quantity in another unit: {"value": "3 mm", "unit": "um"} -> {"number": 3000, "text": "3000 um"}.
 Json converted(const Json& request);
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -5,16 +5,18 @@
 #include <functional>
 #include <string>
 
-#include "app/page/jobs.hpp"
-#include "app/page/opened.hpp"
+#include "page/jobs.hpp"
+#include "page/opened.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 /// How the page is served.
 struct PageSettings {
   Opened opened;
-  std::filesystem::path files;  // index.html and what it loads
-  int port = 0;                 // 0: one that is free
+  std::filesystem::path files;    // index.html and what it loads
+  std::filesystem::path schemas;  // case.schema.json and result.schema.json
+  WorkerProgram worker;
+  int port = 0;  // 0: one that is free
   std::chrono::seconds linger{
       60};  // after the last page was closed; three times as long after one fell silent
   std::function<bool()> interrupted;  // whether the program shall end
@@ -29,4 +31,4 @@ std::string leading_to(const std::string& address);
 /// Throws ComputationFailed where the port is taken.
 std::vector<std::filesystem::path> serve_page(const PageSettings& settings);
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -14,7 +14,7 @@
 #include <functional>
 #include <utility>
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 class Connection final : public httplib::Stream {
  public:
@@ -98,4 +98,4 @@ class Server final : public httplib::Server {
   std::size_t largest_request_;
 };
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -1,4 +1,4 @@
-#include "app/page/workers.hpp"
+#include "page/workers.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,11 +15,10 @@
 #include <map>
 #include <thread>
 
-#include "app/case/printable.hpp"
-#include "app/errors.hpp"
-#include "app/resources.hpp"
+#include "orbearing/errors.hpp"
+#include "orbearing/text.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 namespace fs = std::filesystem;
 
@@ -102,7 +101,7 @@ void require_sound_request(const Json& request, const std::vector<std::string>& 
   for (const auto& [name, value] : request.items())
     if (std::ranges::find(known, name) == known.end())
       mistakes.push_back(fmt::format("request: {}: found an unknown key; required: one of {}",
-                                     printable(shortened(name)), fmt::join(known, ", ")));
+                                     shortened(name), fmt::join(known, ", ")));
   if (request.contains("case_text") && !request["case_text"].is_string())
     mistakes.push_back("request: case_text: found no text; required: the text of a case file");
   const Json settings = request.value("settings", Json::array());
@@ -116,22 +115,6 @@ void require_sound_request(const Json& request, const std::vector<std::string>& 
 // The server's side.
 
 namespace {
-
-// This program; where it is a part of Python, the command of its package.
-std::vector<std::string> this_program() {
-  std::error_code ignored;
-  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
-  if (self != fs::canonical(resources().interpreter, ignored)) return {self.string()};
-  return {resources().interpreter.string(), "-m", "orbearing.command_line"};
-}
-
-std::vector<std::string> environment_of_program() {
-  std::vector<std::string> variables;
-  for (char** one = environ; *one != nullptr; ++one)
-    if (!std::string_view(*one).starts_with("PYTHONPATH=")) variables.emplace_back(*one);
-  variables.push_back("PYTHONPATH=" + resources().package.string());
-  return variables;
-}
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
@@ -157,9 +140,8 @@ struct SpawnActions {
 
 // The socket is its standard input, and what it prints goes to standard error. It has a process group of its
 // own, so that signals from a terminal reach the server alone.
-pid_t spawn(int socket, const fs::path& folder) {
-  std::vector<std::string> words = this_program(), variables = environment_of_program();
-  for (const char* word : {"open", "--worker"}) words.emplace_back(word);
+pid_t spawn(WorkerProgram program, int socket, const fs::path& folder) {
+  std::vector<std::string>&words = program.words, &variables = program.environment;
   if (!folder.empty()) words.push_back(folder.string());
   SpawnActions actions;
   posix_spawn_file_actions_adddup2(&actions.files, socket, STDIN_FILENO);
@@ -181,13 +163,13 @@ pid_t spawn(int socket, const fs::path& folder) {
 
 }  // namespace
 
-Worker::Worker(const fs::path& folder) {
+Worker::Worker(const WorkerProgram& program, const fs::path& folder) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw ComputationFailed(fmt::format("no process for a computation: {}", strerror(errno)));
   socket_ = ends[0];
   try {
-    process_ = spawn(ends[1], folder);
+    process_ = spawn(program, ends[1], folder);
   } catch (...) {
     close(ends[0]);
     close(ends[1]);
@@ -289,4 +271,4 @@ Message answer_within(Workers& workers, const Json& request, std::chrono::second
   return failed(error.what());
 }
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -9,7 +9,7 @@ import shutil
 import sys
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[3]
+SOURCE = Path(__file__).resolve().parents[2]
 
 
 def template(file):
@@ -27,7 +27,7 @@ def template_names():
 
 def assemble(build, folder):
     shutil.rmtree(folder, ignore_errors=True)
-    pages = SOURCE / "app" / "page" / "web"
+    pages = SOURCE / "page" / "web"
     web = folder / "web"
     shutil.copytree(pages, web)
     if (web / "index.html").exists():

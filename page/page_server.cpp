@@ -1,5 +1,5 @@
 // This file and connection.hpp alone name httplib: it is slow to compile.
-#include "app/page/page_server.hpp"
+#include "page/page_server.hpp"
 
 #include <fmt/format.h>
 #include <sys/random.h>
@@ -13,15 +13,12 @@
 #include <optional>
 #include <thread>
 
-#include "app/case/printable.hpp"
-#include "app/checksum.hpp"
-#include "app/errors.hpp"
-#include "app/page/connection.hpp"
-#include "app/resources.hpp"
-#include "app/results/durable_file.hpp"
 #include "orbearing/case.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/text.hpp"
+#include "page/connection.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 namespace {
 
@@ -206,7 +203,7 @@ class PageServer {
  public:
   explicit PageServer(const PageSettings& settings)
       : settings_(settings),
-        workers_(settings.opened.folder),
+        workers_(settings.worker, settings.opened.folder),
         jobs_(workers_),
         presence_(settings.linger),
         opened_(settings.opened),
@@ -352,8 +349,8 @@ class PageServer {
     server_.Get(at("/lib/(.+)"), [this](const HttpRequest& asked, Response& response) {
       answer_file(response, {settings_.files / "lib", "/usr/share/javascript"}, asked.matches[1]);
     });
-    server_.Get(at("/schema/(case|result)"), [](const HttpRequest& asked, Response& response) {
-      answer_file(response, {shipped_cases()}, asked.matches[1].str() + ".schema.json");
+    server_.Get(at("/schema/(case|result)"), [this](const HttpRequest& asked, Response& response) {
+      answer_file(response, {settings_.schemas}, asked.matches[1].str() + ".schema.json");
     });
     // By `results` a folder of results within the one that was opened.
     server_.Get(at("/opened"), [this](const HttpRequest& asked, Response& response) {
@@ -657,4 +654,4 @@ std::vector<fs::path> serve_page(const PageSettings& settings) {
   return PageServer(settings).serve();
 }
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page

@@ -9,15 +9,14 @@
 #include <mutex>
 #include <thread>
 
-#include "app/case/printable.hpp"
-#include "app/errors.hpp"
-#include "app/page/workers.hpp"
-#include "app/results/durable_file.hpp"
-#include "app/results/progress.hpp"
 #include "mechanics/cancellation.hpp"
+#include "orbearing/files.hpp"
+#include "orbearing/pace.hpp"
 #include "orbearing/request.hpp"
+#include "orbearing/text.hpp"
+#include "page/workers.hpp"
 
-namespace orbearing::app::page {
+namespace orbearing::page {
 
 namespace {
 
@@ -156,4 +155,4 @@ int work() {
   return 0;
 }
 
-}  // namespace orbearing::app::page
+}  // namespace orbearing::page
