@@ -8,6 +8,8 @@
 #include <string>
 
 #include "app/case/case_file.hpp"
+#include "app/case/machines.hpp"
+#include "app/commands/commands.hpp"
 #include "app/errors.hpp"
 #include "tests/messages.hpp"
 
@@ -39,6 +41,14 @@ TEST(PlainCommand, WithoutAFunctionHasTheAnalysisOfTheMachine) {
 TEST(PlainCommand, RefusesAMachineWithoutTheAnalysis) {
   nlohmann::ordered_json found;
   EXPECT_REFUSED(BadInput, "word of another machine", result_of("harris_209", found));
+}
+
+// A row of a machine whose word is no command would never be asked.
+TEST(PlainCommand, EachWordOfMachinesIsACommand) {
+  EXPECT_FALSE(machine_analyses().empty());
+  for (const MachineAnalysis& one : machine_analyses())
+    EXPECT_NO_THROW(command_called(std::string(one.command)));
+  EXPECT_THROW(command_called("statics"), BadInput);
 }
 
 }  // namespace
