@@ -105,6 +105,12 @@ profile::DesignLoad design_under(const Bearing& bearing, double load) {
           .material = bearing.material};
 }
 
+void put_profile(const profile::StatedProfile& stated, Bearing& bearing) {
+  if (!stated.kind) return;
+  bearing.rollers().profile =
+      profile::profile_of(stated, bearing.rollers().diameter, design_under(bearing, 0.0));
+}
+
 // The rolling points of both races move with half the sum of their surface speeds at the roller's centre.
 double kinematic_cage_speed(double slenderness, double inner_speed, double outer_speed) {
   return 0.5 * (inner_speed * (1.0 - slenderness) + outer_speed * (1.0 + slenderness));

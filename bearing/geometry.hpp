@@ -3,6 +3,7 @@
 
 #include "bearing/parameters.hpp"
 #include "bearing/profile/profile.hpp"
+#include "bearing/profile/stated_profile.hpp"
 
 namespace orbearing::bearing {
 
@@ -34,6 +35,10 @@ double equivalent_radius(const BearingGeometry& geometry, Race race);
 /// Design load of a logarithmic profile of the rollers: `load` [N] on the inner race, which has the highest
 /// pressure.
 profile::DesignLoad design_under(const Bearing& bearing, double load);
+
+/// Gives the rollers the profile that is stated; they keep theirs where none is. Throws std::invalid_argument
+/// for a profile without a meaning.
+void put_profile(const profile::StatedProfile& stated, Bearing& bearing);
 
 /// Speed of the cage at pure rolling [rad/s], from the speeds of both races in the same frame; `slenderness`
 /// as above.

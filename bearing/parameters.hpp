@@ -111,7 +111,8 @@ struct CylindricalRollers {
   double length = 0.0;                     // [m]  effective contact length
   int laminae = 0;                         // into which each contact is cut; 0: one load over its length
   std::vector<double> diameter_deviation;  // [m]  (rollers)  from diameter; missing ones: 0
-  profile::Profile profile;                // of one roller; with laminae only
+  profile::Profile profile;                // of one roller; with laminae only. A case states how it is made
+                                           // (profile/stated_profile.hpp)
 };
 
 /// Balls of one row.
@@ -200,7 +201,7 @@ void describe(Visitor& visit, CylindricalRollers& m) {
           input(m.diameter_deviation, "bearing.roller_diameter_deviation",
                 "diameter of each roller minus roller_diameter, from the first roller on",
                 {.dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
-          input(m.profile, "bearing.profile", {}, {.may_be_absent = true}));
+          internal(m.profile, "bearing.profile"));
 }
 
 template <class Visitor>

@@ -1,10 +1,12 @@
-// Fields of the bearing beyond those of its members: profile, misalignment, races that are not round.
+// Fields of the bearing beyond those of its members: races that are not round; and the uses of its profile.
 #include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/resolved_case.hpp"
+#include "bearing/profile/stated_profile.hpp"
+#include "mechanics/member_keys.hpp"
 #include "mechanics/part_rows.hpp"
 
 namespace orbearing::app::table {
@@ -21,12 +23,10 @@ Condition where_profile_acts_on_loads() {
   return where_true(
       [](const ResolvedCase& in, std::string_view set) {
         const std::string of_set(set);
-        return in.has(of_set + keys().laminae) || is_chosen(in, of_set + kProfileKind, "straight");
+        return in.has(of_set + keys().laminae) || is_chosen(in, of_set + keys().profile_kind, "straight");
       },
       "where bearing.laminae is given");
 }
-
-constexpr const char *kDrop = "bearing.profile.drop", *kDesignLoad = "bearing.profile.design_load";
 
 // Without laminae loads of planets are those of whole contacts, and the profile affects lives only by the
 // standards.
@@ -51,57 +51,36 @@ ProfileUses profile_of_planets() {
 }  // namespace
 
 // The kind has a default by the type of bearing (derived_defaults.cpp).
-void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses) {
-  Rows rows(fields, models & with_rollers);
+void put_profile_uses(std::vector<Field>& fields, const ProfileUses& uses) {
+  const bearing::profile::StatedProfile stated;
+  const mechanics::MemberKeys key(stated);
+  const auto put = [&](const auto& member, const Use& use) { row_of(fields, key(member)).use = use; };
   const Use &profile = uses.shape, &depth = uses.depth,
-            table = uses.table.when(where(kProfileKind, {"table"}));
-  const auto of_kind = [&](const char* kind) { return profile.when(where(kProfileKind, {kind})); };
+            table = uses.table.when(where(key(stated.kind), {"table"}));
+  const auto of_kind = [&](const char* kind) { return profile.when(where(key(stated.kind), {kind})); };
   // Its depth may be scaled: the shape is determined by the end and the load.
-  const std::vector<Condition> shape_beside_end_drop{where(kProfileKind, {"fujiwara-kawase"}),
-                                                     where_given({"bearing.profile.end_drop"})};
+  const std::vector<Condition> shape_beside_end_drop{where(key(stated.kind), {"fujiwara-kawase"}),
+                                                     where_given({key(stated.end_drop)})};
   // Its load follows from the drop, where none is stated.
   std::vector<Condition> drop_beside_end_drop = shape_beside_end_drop;
-  drop_beside_end_drop.push_back(where_absent(kDesignLoad));
-  constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
+  drop_beside_end_drop.push_back(where_absent(key(stated.design_load)));
 
-  rows.choice(kProfileKind, "profile of the rollers along their length; straight: with sharp ends", uses.kind,
-              {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
-               "fujiwara-kawase", "table"});
-  rows.quantity(
-      kDrop,
-      "relief of one roller at the outermost of 40 laminae; left out: what the other entries of the "
-      "profile give, else the relief of the profile of ISO/TS 16281 there",
-      depth.used_too(uses.crown, drop_beside_end_drop), dimension::small_length, relief);
-  rows.quantity(kDesignLoad,
-                "design load of one roller for lundberg, johns-gohar and fujiwara-kawase; left out: the load "
-                "that corresponds to the drop",
-                profile.when(where(kProfileKind, {"lundberg", "johns-gohar", "fujiwara-kawase"}))
-                    .when(where_absent(kDrop))
-                    .used_too(uses.all, shape_beside_end_drop),
-                dimension::force, positive(1e8));
-  rows.quantity("bearing.profile.chamfer_length",
-                "chamfer: its length at each end; left out: a tenth of the roller", of_kind("chamfer"),
-                dimension::length, end_length);
-  rows.quantity("bearing.profile.straight_length",
-                "straight-circular: its straight middle; left out: six tenths of the roller",
-                of_kind("straight-circular"), dimension::length, end_length);
-  rows.number("bearing.profile.k1", "fujiwara-kawase: K1, factor of the design load; left out: 1",
-              depth.when(where(kProfileKind, {"fujiwara-kawase"}))
-                  .when(where_given({kDesignLoad}))
-                  .when(where_absent(kDrop))
-                  .used_too(uses.all, shape_beside_end_drop),
-              positive(1000.0));
-  rows.number("bearing.profile.k2", "fujiwara-kawase: K2, crowned share of each half; left out: 1",
-              of_kind("fujiwara-kawase"), positive(1.0));
-  rows.quantity("bearing.profile.end_drop",
-                "fujiwara-kawase: z_m, relief at the end; left out: as Johns and Gohar",
-                of_kind("fujiwara-kawase"), dimension::small_length, relief);
-  rows.quantity("bearing.profile.x", "table: ascending positions from the middle of the roller", table,
-                dimension::length, {-1e4, 1e4})
-      .listed();
-  rows.quantity("bearing.profile.drops", "table: relief at those positions", table, dimension::small_length,
-                relief)
-      .listed();
+  put(stated.kind, uses.kind);
+  put(stated.drop, depth.used_too(uses.crown, drop_beside_end_drop));
+  put(stated.design_load,
+      profile.when(where(key(stated.kind), {"lundberg", "johns-gohar", "fujiwara-kawase"}))
+          .when(where_absent(key(stated.drop)))
+          .used_too(uses.all, shape_beside_end_drop));
+  put(stated.chamfer_length, of_kind("chamfer"));
+  put(stated.straight_length, of_kind("straight-circular"));
+  put(stated.k1, depth.when(where(key(stated.kind), {"fujiwara-kawase"}))
+                     .when(where_given({key(stated.design_load)}))
+                     .when(where_absent(key(stated.drop)))
+                     .used_too(uses.all, shape_beside_end_drop));
+  put(stated.k2, of_kind("fujiwara-kawase"));
+  put(stated.end_drop, of_kind("fujiwara-kawase"));
+  put(stated.x, table);
+  put(stated.drops, table);
 }
 
 namespace {
@@ -150,7 +129,8 @@ void add_bearing_fields(std::vector<Field>& fields) {
   // All of these but the angle of the first roller: the rollers of a planet pass all positions.
   DescribedFields visit(fields, planetary_drivetrain);
   mechanics::describe_without(visit, drivetrain, drivetrain.bearing.first_element);
-  add_profile_fields(fields, planetary_drivetrain, profile_of_planets());
+  add_described(fields, bearing::profile::StatedProfile{});
+  put_profile_uses(fields, profile_of_planets());
   add_forms(fields);
 }
 

@@ -65,8 +65,7 @@ void check_stated_with_type(CheckedCase& in) {
         keys().axial_positions, keys().scratched})
     refuse(path, "");
   if (!tapered)
-    for (const std::string& path : {keys().laminae, std::string(kProfileKind)})
-      refuse(path, " or tapered-roller");
+    for (const std::string& path : {keys().laminae, keys().profile_kind}) refuse(path, " or tapered-roller");
   if (type == "deep-groove-ball") refuse(kSpectrumPath, "");
   const std::vector<std::string> of_tapered{keys().rows_contact_angle, keys().rows_arrangement},
       of_spherical{keys().rows_contact_angle}, of_balls{keys().balls, keys().ball_diameter};

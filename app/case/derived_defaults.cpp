@@ -139,7 +139,7 @@ std::vector<DefaultRule> all_rules() {
       RowsOf<PocketClearance, PocketStiffness, TouchDownStiffness, GuideLand, PocketDamping, SunSupport,
              RingSupport, CarrierSupport, Backlash, SunTilt, SunAxial, FlexpinDiameter, PinStiffness>());
   for (const DefaultRule& rule : std::initializer_list<DefaultRule>{
-           {kProfileKind, roller_profile, Needed::at_rest_too,
+           {keys().profile_kind, roller_profile, Needed::at_rest_too,
             "iso16281: catalogue rollers have relieved ends; straight ones state straight"},
            {keys().life_method, life_method, Needed::at_rest_too,
             "iso-16281, where C is known from the catalogue or stated, or a requirement is"},

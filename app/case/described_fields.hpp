@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "app/case/field.hpp"
-#include "bearing/profile/profile.hpp"
 
 namespace orbearing::app {
 
@@ -43,7 +42,7 @@ class DescribedFields {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (facts.internal || std::is_same_v<Member, bearing::profile::Profile>) return;
+    if (facts.internal) return;
     Field field = field_of(facts, models_);
     if (is_required<Member>(facts.details)) field.required_by |= models_;
     set_kind(field, member, facts.details);

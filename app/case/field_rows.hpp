@@ -55,7 +55,8 @@ struct ProfileUses {
   AnalysisSet all;      // analyses with a profile
   AnalysisSet crown{};  // that vary its depth
 };
-void add_profile_fields(std::vector<Field>& fields, unsigned models, const ProfileUses& uses);
+/// For rows that are in the table.
+void put_profile_uses(std::vector<Field>& fields, const ProfileUses& uses);
 
 void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use);
 

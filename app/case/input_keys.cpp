@@ -24,6 +24,7 @@ InputKeys::InputKeys() {
   with_keys_of<analysis::StatedSet>([this](const auto& of, const auto& key) {
     bearing_type = key(of.bearing_type);
     complement = key(of.complement);
+    profile_kind = key(of.profile.kind);
     per_planet = key(of.planets.bearings_per_planet);
     clearance_state = key(of.planets.mounting.state);
     inner_interference = key(of.planets.mounting.inner_interference);
@@ -80,7 +81,6 @@ InputKeys::InputKeys() {
     roller_diameter = key(of.rollers.diameter);
     roller_length = key(of.rollers.length);
     laminae = key(of.rollers.laminae);
-    profile = key(of.rollers.profile);
     balls = key(of.balls);
     ball_diameter = key(of.ball_diameter);
     contact_angle = key(of.contact_angle);

@@ -10,10 +10,10 @@ struct InputKeys {
 
   // Of a bearing, its cage and its seats.
   std::string bearing_type, complement, per_planet, rings, rollers, roller_diameter, roller_length, laminae,
-      profile, balls, ball_diameter, contact_angle, pitch_diameter, radial_clearance, bore, outside_diameter,
-      width, cage_inner_diameter, cage_outer_diameter, cage_width, cage_density, guide_land, clearance_state,
-      inner_interference, outer_interference, inner_ring_temperature, outer_ring_temperature, axial_positions,
-      tilt, wind_up, rows_contact_angle, rows_arrangement, dynamic_capacity, static_capacity,
+      profile_kind, balls, ball_diameter, contact_angle, pitch_diameter, radial_clearance, bore,
+      outside_diameter, width, cage_inner_diameter, cage_outer_diameter, cage_width, cage_density, guide_land,
+      clearance_state, inner_interference, outer_interference, inner_ring_temperature, outer_ring_temperature,
+      axial_positions, tilt, wind_up, rows_contact_angle, rows_arrangement, dynamic_capacity, static_capacity,
       fatigue_load_limit;
   // Of its life and oil.
   std::string life_method, reliability, viscosity_ratio, contamination_factor, cleanliness, lubrication,
@@ -30,9 +30,6 @@ struct InputKeys {
   std::string scratched, scratch_form, scratch_width, scratch_depth, scratched_element, scratched_planet,
       scratched_bearing, modulus;
 };
-
-/// Key of the input that chooses the kind of a roller's profile, by which its other inputs have a meaning.
-inline constexpr const char* kProfileKind = "bearing.profile.kind";
 
 /// The keys, which are found once.
 const InputKeys& keys();

@@ -148,11 +148,16 @@ void add_grade(std::vector<Field>& fields, unsigned model, const Use& use) {
 }
 
 // Inputs of app/case, by the uses of the members that they state.
-void add_inputs_of(const Field& holder, const UsesOfModel& uses, std::vector<Field>& fields) {
-  const unsigned model = holder.models;
-  if (holder.path == keys().profile)
-    table::add_profile_fields(fields, model, {holder.use, holder.use, holder.use, holder.use, uses.all});
-  if (holder.path == keys().oil_grade) add_grade(fields, model, holder.use);
+void add_inputs_of(const Field& holder, std::vector<Field>& fields) {
+  if (holder.path == keys().oil_grade) add_grade(fields, holder.models, holder.use);
+}
+
+// Inputs of the profile have an effect by its kind.
+void put_profile_uses(std::vector<Field>& fields, AnalysisSet all) {
+  const Field* kind = table::find_row(fields, keys().profile_kind);
+  if (kind == nullptr) return;
+  const Use use = kind->use;
+  table::put_profile_uses(fields, {use, use, use, use, all});
 }
 
 std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
@@ -160,7 +165,8 @@ std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
   for (std::vector<Field>* fields : {&of_machine.fields, &of_machine.holders})
     for (Field& field : *fields) field.use = uses.by_path.at(field.path).joined(field.use);
   std::vector<Field>& fields = of_machine.fields;
-  for (const Field& holder : of_machine.holders) add_inputs_of(holder, uses, fields);
+  for (const Field& holder : of_machine.holders) add_inputs_of(holder, fields);
+  put_profile_uses(fields, uses.all);
   const Field* viscosity = table::find_row(fields, keys().viscosity);
   if (viscosity != nullptr && table::find_row(fields, keys().oil_grade) == nullptr)
     add_grade(fields, model, Use(viscosity->use));

@@ -54,8 +54,7 @@ class ColumnsOfRows {
 /// Members that a case states by several inputs, which are those of app/case.
 template <class T>
 inline constexpr bool is_stated_by_others =
-    std::is_same_v<T, bearing::profile::Profile> || std::is_same_v<T, bearing::Lubricant> ||
-    std::is_same_v<T, std::optional<bearing::OilGrade>> ||
+    std::is_same_v<T, bearing::Lubricant> || std::is_same_v<T, std::optional<bearing::OilGrade>> ||
     std::is_same_v<T, std::optional<bearing::friction::BearingSize>>;
 
 /// A visitor of the rows of a machine: its fields, which nothing uses yet.

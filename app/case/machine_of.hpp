@@ -14,7 +14,6 @@
 #include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
 #include "app/case/oil_case.hpp"
-#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -44,9 +43,6 @@ class MachineFromCase {
   }
 
   // Members that a case states by several inputs.
-  void operator()(bearing::profile::Profile& member, const described::Facts& facts) {
-    if (facts.path == "bearing.profile" && missing_ == Missing::refused) member = roller_profile_of(in_);
-  }
   void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
     if (in_.has(facts.path)) member = is_known_oil(in_) ? graded_oil(in_) : bearing::OilGrade{};
   }

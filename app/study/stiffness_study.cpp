@@ -29,7 +29,7 @@ StiffnessStudy roller_stiffness(const ResolvedCase& in) {
     study.warnings.push_back(
         fmt::format("bearing.laminae: not given; {} are used, and stiffness depends on their number",
                     analysis::default_laminae));
-  const char* profile = kProfileKind;
+  const std::string& profile = keys().profile_kind;
   if (!in.has(profile) || in.origin(profile) != "default") return study;
   if (const auto effect = effect_of_straight_rollers(rollers, study.points.front()))
     study.warnings.push_back(

@@ -1,7 +1,6 @@
 #include "bearing/profile/profile.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -169,10 +168,7 @@ Profile with_drop(const Profile& profile, double station, double depth) {
 }
 
 std::string kind(const Profile& profile) {
-  static constexpr std::array<const char*, std::variant_size_v<Profile>> names{
-      "straight", "chamfer",         "circular", "straight-circular", "lundberg", "johns-gohar",
-      "iso16281", "fujiwara-kawase", "table"};
-  return names.at(profile.index());
+  return std::string(described::text_of(static_cast<Kind>(profile.index())));
 }
 
 using constants::pi;

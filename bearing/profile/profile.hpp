@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "mechanics/described.hpp"
 #include "mechanics/material.hpp"
 
 namespace orbearing::bearing::profile {
@@ -105,6 +106,31 @@ struct Table {
 using Profile = std::variant<Straight, Chamfer, CircularCrown, StraightCircular, Lundberg, JohnsGohar,
                              Iso16281, FujiwaraKawase, Table>;
 
+/// The same kinds, in the same order.
+enum class Kind {
+  straight,
+  chamfer,
+  circular,
+  straight_circular,
+  lundberg,
+  johns_gohar,
+  iso16281,
+  fujiwara_kawase,
+  table
+};
+
+constexpr described::Names<Kind, std::variant_size_v<Profile>> names_of(Kind) {
+  return {{{Kind::straight, "straight"},
+           {Kind::chamfer, "chamfer"},
+           {Kind::circular, "circular"},
+           {Kind::straight_circular, "straight-circular"},
+           {Kind::lundberg, "lundberg"},
+           {Kind::johns_gohar, "johns-gohar"},
+           {Kind::iso16281, "iso16281"},
+           {Kind::fujiwara_kawase, "fujiwara-kawase"},
+           {Kind::table, "table"}}};
+}
+
 /// Relief at one position.
 struct Relief {
   double drop = 0.0;           // [m]
@@ -141,8 +167,7 @@ Profile with_parameter(Profile profile, double value);
 /// where that position has no relief at any depth.
 Profile with_drop(const Profile& profile, double station, double depth);
 
-/// Name as in case files: straight, chamfer, circular, straight-circular, lundberg, johns-gohar, iso16281,
-/// fujiwara-kawase, table.
+/// Name of its kind as in case files.
 std::string kind(const Profile& profile);
 
 /// Throws std::invalid_argument, with what was found and what is required, where a profile has no meaning.

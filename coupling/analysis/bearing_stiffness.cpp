@@ -75,7 +75,9 @@ std::vector<double> list_or(const std::vector<double>& list, double otherwise) {
 }  // namespace
 
 StiffnessStudy stiffness_of_rollers(const RollerSupport& in) {
-  return over_loads_and_speeds(in.bearing, {}, in.load, list_or(in.load_factors, 1.0), {0.0});
+  bearing::Bearing bearing = in.bearing;
+  bearing::put_profile(in.profile, bearing);
+  return over_loads_and_speeds(bearing, {}, in.load, list_or(in.load_factors, 1.0), {0.0});
 }
 
 StiffnessStudy stiffness_of_balls(const BallSupport& in) {
@@ -95,6 +97,7 @@ void warn_of_failed_points(StiffnessStudy& study) {
 std::optional<std::string> effect_of_straight_rollers(RollerSupport in, const StiffnessPoint& first) {
   if (!first.stiffness) return std::nullopt;
   in.bearing.rollers().profile = {};
+  in.profile = {};
   if (!in.load_factors.empty()) in.load_factors = {in.load_factors.front()};
   const StiffnessPoint straight = stiffness_of_rollers(in).points.front();
   if (!straight.stiffness) return std::nullopt;

@@ -38,9 +38,17 @@ bool has_unlike_ends(const PinSeats& seats) {
   return !are_mirrored(sorted(position), -1.0) || !are_mirrored(sorted(clearance), 1.0);
 }
 
-bool has_unlike_roller_ends(const bearing::profile::Profile& profile) {
-  const auto* table = std::get_if<bearing::profile::Table>(&profile);
-  return table != nullptr && (!are_mirrored(table->x, -1.0) || !are_mirrored(table->drop, 1.0));
+bool has_unlike_ends(const std::vector<double>& x, const std::vector<double>& drops) {
+  return !are_mirrored(x, -1.0) || !are_mirrored(drops, 1.0);
+}
+
+// As stated, or of the bearings where no profile is.
+bool has_unlike_roller_ends(const StatedSet& set) {
+  using namespace bearing::profile;
+  if (set.profile.kind)
+    return set.profile.kind == Kind::table && has_unlike_ends(set.profile.x, set.profile.drops);
+  const auto* table = std::get_if<Table>(&set.rollers().profile);
+  return table != nullptr && has_unlike_ends(table->x, table->drop);
 }
 
 bool is_held_at_one_end(const StatedSet& set) {
@@ -57,7 +65,7 @@ bool planets_tilt(const StatedSet& set) {
   const PinSeats& seats = set.planets.seats;
   return set.teeth.helix_angle != 0.0 || is_held_at_one_end(set) || set.teeth.stepped.present() ||
          seats.radial_inclination != 0.0 || seats.tangential_inclination != 0.0 || seats.carrier_twist ||
-         has_unlike_ends(seats) || has_unlike_roller_ends(set.rollers().profile);
+         has_unlike_ends(seats) || has_unlike_roller_ends(set);
 }
 
 bool bearings_tilt(const StatedSet& set) {

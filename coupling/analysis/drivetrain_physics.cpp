@@ -26,7 +26,7 @@ PhysicsByKey found_physics() {
     for (const std::string& path : key.of(members...)) physics[path] = one;
   };
   using enum Physics;
-  put(everywhere, rows.set.gears.material, rollers.profile);
+  put(everywhere, rows.set.gears.material, rows.set.profile);
   put(planet, rows.drive.member, rows.drive.speed, rows.drive.speed_of, rows.drive.parallel.front,
       bearing.outer.seat_diameter, rows.set.second_planet, teeth);
   put(thrust, teeth.sun_thrust);

@@ -40,6 +40,7 @@ std::string no_equilibrium_text(const equilibrium::BalanceReport& report, double
 
 bearing::Bearing rotating_bearing(const LoadedBearing& in) {
   bearing::Bearing bearing = in.bearing;
+  bearing::put_profile(in.profile, bearing);
   bearing.motions = rating::rotating(in.rotation.turning_race);
   return bearing;
 }

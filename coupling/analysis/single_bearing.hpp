@@ -140,6 +140,7 @@ struct LoadedBearing {
   bearing::equilibrium::RingLoad load;
   RingRotation rotation;
   bearing::Bearing bearing;
+  bearing::profile::StatedProfile profile;  // of rollers; none: that of `bearing`
   StatedCapacities capacities;
   LifeInputs life;
   BearingOil oil;
@@ -163,8 +164,12 @@ void describe(Visitor& visit, LoadedBearing& m) {
                  else
                    describe(visit, m.load);
                }),
-          part(m.rotation), part(m.bearing, [&] { describe_inside(visit, m.bearing); }), part(m.capacities),
-          part(m.life), part(m.oil), internal(m.size, "bearing.size"));
+          part(m.rotation), part(m.bearing, [&] { describe_inside(visit, m.bearing); }),
+          part(m.profile,
+               [&] {
+                 if (m.bearing.has_rollers()) describe(visit, m.profile);
+               }),
+          part(m.capacities), part(m.life), part(m.oil), internal(m.size, "bearing.size"));
 }
 
 /// Laminae of rollers where a case states none: at rest they are always cut.
@@ -292,14 +297,15 @@ inline auto load_factors_row(std::vector<double>& factors) {
 struct RollerSupport {
   bearing::equilibrium::RingLoad load;
   bearing::Bearing bearing{.elements = bearing::CylindricalRollers{.laminae = default_laminae}};
-  std::vector<double> load_factors;  // [-]  none: 1
+  bearing::profile::StatedProfile profile;  // none: that of `bearing`
+  std::vector<double> load_factors;         // [-]  none: 1
 };
 template <class Visitor>
 void describe(Visitor& visit, RollerSupport& m) {
   using namespace described;
   members(visit, m, part(m.load, [&] { describe_on_rollers(visit, m.load); }),
           part(m.bearing, [&] { describe_inside(visit, m.bearing, m.bearing.material.density); }),
-          load_factors_row(m.load_factors));
+          part(m.profile), load_factors_row(m.load_factors));
 }
 
 /// Inputs of the stiffness of a ball bearing.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/geometry.hpp"
 #include "coupling/analysis/carrier_revolution.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_angles.hpp"
@@ -57,7 +58,10 @@ PlanetaryDrivetrain drivetrain_of(const StatedSet& stated, const gearset::Drive&
   out.drive = drive;
   if (stated.complement == Complement::full) out.bearing.cage = {};  // what is stated of one has no effect
   out.rows.type = stated.bearing_type;
-  if (stated.has_balls()) out.bearing.elements = bearing::Balls{out.rows.balls, out.rows.ball_diameter};
+  if (stated.has_balls())
+    out.bearing.elements = bearing::Balls{out.rows.balls, out.rows.ball_diameter};
+  else
+    bearing::put_profile(stated.profile, out.bearing);
   out.bearing.inner.form = harmonics_of(stated.forms.inner);
   out.bearing.outer.form = harmonics_of(stated.forms.outer);
   out.uneven_planets = !unequal_loads_by(stated).empty();

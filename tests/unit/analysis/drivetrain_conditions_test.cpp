@@ -39,6 +39,11 @@ TEST(DrivetrainConditions, PlanetsTiltWhereTheirEndsDiffer) {
            [](StatedSet& m) {
              m.planets.bearing.rollers().profile =
                  bearing::profile::Table{{-2.85e-3, 0.0, 2.85e-3}, {4e-6, 0.0, 5e-6}};
+           },
+           [](StatedSet& m) {
+             m.profile = {.kind = bearing::profile::Kind::table,
+                          .x = {-2.85e-3, 0.0, 2.85e-3},
+                          .drops = {4e-6, 0.0, 5e-6}};
            }})
     EXPECT_TRUE(holds_with(planets_tilt, change));
 }

@@ -57,6 +57,20 @@ TEST(RollersUnderLoad, CarryTheLoad) {
   EXPECT_FALSE(result.passing || result.rolling_friction || result.films);
 }
 
+TEST(RollersUnderLoad, HaveTheStatedProfile) {
+  RollersUnderLoad in = rollers();
+  in.loaded.profile = {.kind = bearing::profile::Kind::circular, .drop = 20e-6};
+  EXPECT_EQ(kind(rollers_under_load(in).bearing.rollers().profile), "circular");
+  const auto softness = [&] {
+    const RollerSupport support{
+        .load = in.loaded.load, .bearing = in.loaded.bearing, .profile = in.loaded.profile};
+    return 1.0 / (*stiffness_of_rollers(support).points.front().stiffness)(0, 0);
+  };
+  const double crowned = softness();
+  in.loaded.profile = {};
+  EXPECT_GT(crowned, 1.01 * softness());
+}
+
 // L10 of ISO 281 for p = 10/3.
 TEST(RollersUnderLoad, HaveTheBasicLifeOfTheStatedCapacity) {
   RollersUnderLoad in = rollers();

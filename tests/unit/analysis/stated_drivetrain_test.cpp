@@ -67,6 +67,16 @@ TEST(StatedSets, SayWhatMakesPlanetsCarryUnequalLoads) {
   EXPECT_EQ(unequal_loads_by(set), "gearset.dynamics.pin_error.tangential");
 }
 
+TEST(StatedSets, HaveRollersOfTheStatedProfile) {
+  using namespace bearing::profile;
+  StatedSet set = stated_reducer();
+  set.planets.bearing.rollers().profile = CircularCrown{5.7e-3, 3e-6};
+  const auto profile = [&] { return drivetrain_of(set, {}).bearing.rollers().profile; };
+  EXPECT_EQ(profile(), Profile(CircularCrown{5.7e-3, 3e-6}));  // where none is stated
+  set.profile.kind = Kind::straight;
+  EXPECT_EQ(profile(), Profile(Straight{}));
+}
+
 TEST(StatedSets, WithoutACageHaveNone) {
   StatedSet set = stated_reducer();
   EXPECT_TRUE(drivetrain_of(set, {}).bearing.has_cage());

@@ -173,14 +173,14 @@ TEST(MachineOf, HasWhatACaseStatesBySeveralInputs) {
   const auto plain = machine_of<analysis::RollersUnderLoad>(read(rollers));
   EXPECT_EQ(plain.loaded.rotation.turning_race, bearing::Race::outer);
   EXPECT_EQ(plain.loaded.bearing.rollers().laminae, analysis::default_laminae);
-  EXPECT_EQ(kind(plain.loaded.bearing.rollers().profile), "iso16281");
+  EXPECT_EQ(plain.loaded.profile.kind, bearing::profile::Kind::iso16281);
   EXPECT_FALSE(plain.loaded.oil.grade || plain.loaded.size || plain.loaded.life.cleanliness);
   const auto stated = machine_of<analysis::RollersUnderLoad>(
       read(rollers, {"bearing.profile.kind=straight", "bearing.laminae=12", "lubricant.grade=ISO VG 68",
                      "lubricant.temperature=60 degC", "life.cleanliness=-/17/14", "bearing.bore=40 mm",
                      "bearing.outside_diameter=80 mm", "bearing.width=18 mm"}));
   EXPECT_EQ(stated.loaded.bearing.rollers().laminae, 12);
-  EXPECT_EQ(kind(stated.loaded.bearing.rollers().profile), "straight");
+  EXPECT_EQ(stated.loaded.profile.kind, bearing::profile::Kind::straight);
   ASSERT_TRUE(stated.loaded.oil.grade && stated.loaded.oil.kinematic_viscosity && stated.loaded.size);
   EXPECT_DOUBLE_EQ(stated.loaded.oil.grade->viscosity_40, 68e-6);
   EXPECT_EQ(stated.loaded.oil.temperature, 60.0);
@@ -304,9 +304,9 @@ AnalysisId used_by(Model model, const char* command) {
 // The stiffness of a bearing takes what is between its rings.
 TEST(MachineAnalyses, TakeAPartOfABearing) {
   EXPECT_THAT(paths_of<analysis::RollerSupport>(),
-              AllOf(Contains("bearing.profile"), Contains("bearing.laminae"), Not(Contains("bearing.bore")),
-                    Not(Contains("bearing.cage.width")), Not(Contains("material.density")),
-                    Not(Contains("operation.shaft_speed"))));
+              AllOf(Contains("bearing.profile.kind"), Contains("bearing.laminae"),
+                    Not(Contains("bearing.bore")), Not(Contains("bearing.cage.width")),
+                    Not(Contains("material.density")), Not(Contains("operation.shaft_speed"))));
   EXPECT_THAT(paths_of<analysis::BallSupport>(),
               AllOf(Contains("material.density"), Contains("operation.outer_speed"),
                     Not(Contains("operation.turning_race")), Not(Contains("lubricant.kinematic_viscosity"))));

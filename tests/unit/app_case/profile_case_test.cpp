@@ -23,8 +23,7 @@ const std::string kKind = "bearing.profile.kind=";
 
 Profile profile_with(std::vector<std::string> settings) {
   settings.push_back("bearing.laminae=40");
-  const ResolvedCase in = shipped(settings);
-  return roller_profile_of(in);
+  return drivetrain_of(shipped(settings)).bearing.rollers().profile;
 }
 
 TEST(ProfileCase, NothingStatedIsAStraightUncutRoller) {

@@ -5,7 +5,6 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/drivetrain_reader.hpp"
-#include "app/case/profile_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -47,7 +46,6 @@ TEST(ReadOnce, OfASweepAndOfItsPoint) {
 TEST(ReadOnce, AsFarAsStatedIsAnother) {
   const ResolvedCase in = reducer();
   EXPECT_NE(&stated_drivetrain(in), &stated_drivetrain(in, Missing::left_out));
-  EXPECT_EQ(&roller_profile_of(in), &roller_profile_of(in));
 }
 
 TEST(ReadOnce, AChangedCopyIsReadAnew) {

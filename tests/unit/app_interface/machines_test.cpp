@@ -80,7 +80,8 @@ class Change {
   }
   template <class Value>
   static bool change(std::optional<Value>& value) {
-    return value && change(*value);
+    if (!value) value.emplace();
+    return change(*value);
   }
   template <class Value>
   static bool change(std::vector<Value>& values) {
@@ -201,6 +202,27 @@ TEST(MachinesOfCases, WhatNoInputStatesIsRefused) {
                    set.planets.bearing.material.youngs_modulus = 200e9;
                    set.gears.material.youngs_modulus = 190e9;
                  }));
+}
+
+// In the one set of a drivetrain, and in a single bearing.
+TEST(MachinesOfCases, ProfilesAreSet) {
+  using bearing::profile::Kind;
+  const bearing::profile::StatedProfile crown{.kind = Kind::circular, .drop = 7e-6},
+      table{.kind = Kind::table, .x = {-3e-3, 0.0, 3e-3}, .drops = {6e-6, 0.0, 4e-6}};
+  const Case of_planets = parsed("reducer_150kW", {"bearing.laminae=40"});
+  PlanetaryDrivetrain reducer = drivetrain_of(of_planets);
+  for (const auto& profile : {crown, table}) {
+    reducer.sets.front().set.profile = profile;
+    EXPECT_EQ(drivetrain_of(changed(of_planets, reducer)).single().profile, profile);
+  }
+  const Case of_bearing = parsed("harris_209");
+  RollerBearing single = std::get<RollerBearing>(machine_of(of_bearing));
+  single.run.loaded.profile = crown;
+  EXPECT_EQ(
+      changed(of_bearing, single).resolved(),
+      of_bearing.with("bearing.profile.kind", "circular").with("bearing.profile.drop", "7e-06 m").resolved());
+  single.run.loaded.profile = {.kind = Kind::straight, .drop = 7e-6};
+  EXPECT_REFUSED(BadInput, "machines no profile", changed(of_bearing, single));
 }
 
 // A viscosity beside a grade would have no effect.
