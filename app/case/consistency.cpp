@@ -148,7 +148,7 @@ bool takes_part_in_consistency(std::string_view path) {
                     "defect.", "signal.", "life.", "lubricant.kinematic", "parallel_stage."}) ||
          is_one_of(path,
                    {"stiffness", "arrangement", keys().shaft_speed, keys().outer_speed, keys().oil_grade,
-                    keys().oil_temperature, "lubricant.viscosity_index", keys().driven_member});
+                    keys().oil_temperature, keys().oil_viscosity_index, keys().driven_member});
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/case/bearing_type.hpp"
-#include "app/case/oil_case.hpp"
 
 namespace orbearing::app {
 
@@ -48,10 +47,7 @@ namespace {
 
 analysis::StatedSet read_set(const ResolvedCase& in, Missing missing) {
   // Without a bearing nothing of one is expected.
-  analysis::StatedSet set =
-      part_of<analysis::StatedSet>(in, has_planet_bearing(in) ? missing : Missing::left_out);
-  set.oil_density = oil_density(in);
-  return set;
+  return part_of<analysis::StatedSet>(in, has_planet_bearing(in) ? missing : Missing::left_out);
 }
 
 struct DrivetrainAsFarAsStated {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/case/input_keys.hpp"
 #include "orbearing/text.hpp"
 
 namespace orbearing::app {
@@ -24,7 +25,7 @@ FieldReading good(FieldValue value) {
 std::string remedy(const Field& field) {
   if (field.path.starts_with("parallel_stage."))
     return "; one stage is [82, 23], several are [[82, 23], [88, 22]]";
-  if (field.path == "lubricant.viscosity_index")
+  if (field.path == keys().oil_viscosity_index)
     return "; an oil of a higher index states lubricant.viscosity_100 of its data sheet instead";
   if (field.path == "spectrum" && field.kind == Kind::number)
     return "; shares are fractions that add up to 1: 0.25 is 25 %";

@@ -46,8 +46,11 @@ InputKeys::InputKeys() {
     cleanliness = key(of.rating.life.cleanliness);
     lubrication = key(of.rating.life.lubrication);
     reduction_factor = key(of.rating.rollers.reduction_factor);
-    oil_grade = key(of.rating.oil.grade);
-    oil_temperature = key(of.rating.oil.temperature);
+    oil_grade = key(of.rating.oil.stated.grade);
+    oil_viscosity_40 = key(of.rating.oil.stated.viscosity_40);
+    oil_viscosity_100 = key(of.rating.oil.stated.viscosity_100);
+    oil_temperature = key(of.rating.oil.stated.temperature);
+    oil_viscosity_index = key(of.rating.oil.stated.viscosity_index);
     kinematic_viscosity = key(of.rating.oil.kinematic_viscosity);
     fixed_member = key(of.teeth.fixed_member);
     planets = key(of.teeth.planets);

@@ -17,8 +17,8 @@ struct InputKeys {
       fatigue_load_limit;
   // Of its life and oil.
   std::string life_method, reliability, viscosity_ratio, contamination_factor, cleanliness, lubrication,
-      reduction_factor, oil_grade, oil_temperature, kinematic_viscosity, viscosity, pressure_viscosity,
-      oil_density, drag;
+      reduction_factor, oil_grade, oil_viscosity_40, oil_viscosity_100, oil_temperature, oil_viscosity_index,
+      kinematic_viscosity, viscosity, pressure_viscosity, oil_density, drag;
   // Of the gears.
   std::string fixed_member, planets, pressure_angle, sun_teeth, stepped_teeth, second_planet_teeth, rim,
       mesh_variation, carrier_bearings, housing_stiffness, planet_bore_ratio, tangential_pin_errors;

@@ -130,9 +130,7 @@ void add_uses(std::size_t number, const std::vector<std::string>& paths, UsesOfM
 }
 
 UsesOfModel uses_of(Model model, const MachineFields& of_machine) {
-  std::vector<std::string> paths;
-  for (const std::vector<Field>* fields : {&of_machine.fields, &of_machine.holders})
-    std::ranges::transform(*fields, std::back_inserter(paths), &Field::path);
+  const std::vector<std::string> paths = described::each(of_machine.fields, &Field::path);
   UsesOfModel uses;
   MachineAnalyses::each([&]<class Row>(Row, std::size_t number) {
     if (Row::model == model) add_uses<Row>(number, paths, uses);
@@ -147,11 +145,6 @@ void add_grade(std::vector<Field>& fields, unsigned model, const Use& use) {
     if (Field* replaced = table::find_row(fields, path)) replaced->under(where_absent(keys().oil_grade));
 }
 
-// Inputs of app/case, by the uses of the members that they state.
-void add_inputs_of(const Field& holder, std::vector<Field>& fields) {
-  if (holder.path == keys().oil_grade) add_grade(fields, holder.models, holder.use);
-}
-
 // Inputs of the profile have an effect by its kind.
 void put_profile_uses(std::vector<Field>& fields, AnalysisSet all) {
   const Field* kind = table::find_row(fields, keys().profile_kind);
@@ -162,14 +155,12 @@ void put_profile_uses(std::vector<Field>& fields, AnalysisSet all) {
 
 std::vector<Field> fields_of_row(Model model, MachineFields of_machine) {
   const UsesOfModel uses = uses_of(model, of_machine);
-  for (std::vector<Field>* fields : {&of_machine.fields, &of_machine.holders})
-    for (Field& field : *fields) field.use = uses.by_path.at(field.path).joined(field.use);
   std::vector<Field>& fields = of_machine.fields;
-  for (const Field& holder : of_machine.holders) add_inputs_of(holder, fields);
+  for (Field& field : fields) field.use = uses.by_path.at(field.path).joined(field.use);
   put_profile_uses(fields, uses.all);
-  const Field* viscosity = table::find_row(fields, keys().viscosity);
-  if (viscosity != nullptr && table::find_row(fields, keys().oil_grade) == nullptr)
-    add_grade(fields, model, Use(viscosity->use));
+  const Field *viscosity = table::find_row(fields, keys().viscosity),
+              *grade = table::find_row(fields, keys().oil_grade);
+  if (viscosity != nullptr) add_grade(fields, model, Use((grade != nullptr ? grade : viscosity)->use));
   table::add_case_fields(fields, model, Use(uses.all, {}));
   table::add_bearing_type(fields, model, Use(uses.all, {}));
   if (!uses.rated.is_empty())

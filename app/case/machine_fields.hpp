@@ -51,12 +51,6 @@ class ColumnsOfRows {
   std::vector<ListColumn> columns{};
 };
 
-/// Members that a case states by several inputs, which are those of app/case.
-template <class T>
-inline constexpr bool is_stated_by_others =
-    std::is_same_v<T, bearing::Lubricant> || std::is_same_v<T, std::optional<bearing::OilGrade>> ||
-    std::is_same_v<T, std::optional<bearing::friction::BearingSize>>;
-
 /// A visitor of the rows of a machine: its fields, which nothing uses yet.
 class MachineFields {
  public:
@@ -64,10 +58,7 @@ class MachineFields {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if constexpr (is_stated_by_others<Member>)
-      add_once(facts);
-    else if (!facts.internal)
-      add_field(member, facts);
+    if (!facts.internal) add_field(member, facts);
   }
 
   template <class Self, class Variant>
@@ -89,8 +80,6 @@ class MachineFields {
 
   std::vector<Field> fields{};
 
-  std::vector<Field> holders{};  // of members that other inputs state
-
  private:
   template <class Member>
   void add_field(Member& member, const described::Facts& facts) {
@@ -109,11 +98,6 @@ class MachineFields {
     const bool required = app::is_required<Member>(facts.details);
     (alternatives_.empty() ? field.required_by : unused_) = required ? unsigned{model_} : 0u;
     field.required_if_chosen = required && !alternatives_.empty();
-  }
-
-  void add_once(const described::Facts& facts) {
-    if (std::ranges::find(holders, facts.path, &Field::path) == holders.end())
-      holders.push_back({.path = facts.path, .use = Use({}, {}), .models = unsigned{model_}});
   }
 
   Field& add(const described::Facts& facts) {

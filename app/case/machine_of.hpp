@@ -13,7 +13,6 @@
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
-#include "app/case/oil_case.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
@@ -42,12 +41,10 @@ class MachineFromCase {
       DescribedCase(in_).read_value(member, facts);
   }
 
-  // Members that a case states by several inputs.
-  void operator()(std::optional<bearing::OilGrade>& member, const described::Facts& facts) {
-    if (in_.has(facts.path)) member = is_known_oil(in_) ? graded_oil(in_) : bearing::OilGrade{};
-  }
+  // Members that follow from several inputs.
   void operator()(bearing::Lubricant& member, const described::Facts&) {
-    if (has_all(in_, {keys().viscosity, keys().pressure_viscosity})) member = graded_lubricant(in_);
+    if (has_all(in_, {keys().viscosity, keys().pressure_viscosity}))
+      member = from_case<bearing::Lubricant>(in_);
   }
   void operator()(std::optional<bearing::friction::BearingSize>& member, const described::Facts&) {
     member = size_of(in_);

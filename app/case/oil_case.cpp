@@ -9,7 +9,10 @@
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
 #include "app/case/mistake.hpp"
+#include "app/case/part_of_data.hpp"
 #include "app/case/settings.hpp"
+#include "bearing/film/graded_oil.hpp"
+#include "bearing/motion/parameters.hpp"
 
 namespace orbearing::app {
 
@@ -48,9 +51,6 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 
 namespace {
 
-constexpr const char *kIndex = "lubricant.viscosity_index", *kAt40 = "lubricant.viscosity_40",
-                     *kAt100 = "lubricant.viscosity_100";
-
 // A field that follows from the grade: its path, its value as it would be written in a case, and why.
 struct OilProperty {
   std::string path;
@@ -58,39 +58,17 @@ struct OilProperty {
   std::string reason;
 };
 
-double viscosity_40_of(const std::string& grade) {
-  constexpr std::size_t prefix = 7;  // "ISO VG "
-  return 1e-6 * *read_number(std::string_view(grade).substr(prefix)).value;
-}
-
-// `number` gives the value of a field, and null where there is none: that of the density is used for drag.
-template <class Number>
-double density_that_counts(const Number& number) {
-  const double *density = number(keys().oil_density), *drag = number(keys().drag);
-  return density != nullptr && drag != nullptr && *drag != 0.0 ? *density : bearing::OilGrade{}.density;
-}
-
-// By the inputs that state it, of which `number` gives the value, and null where there is none.
-template <class Number>
-bearing::OilGrade oil_by_inputs(const std::string& grade, const Number& number) {
-  bearing::OilGrade oil{.density = density_that_counts(number)};
-  if (const double* index = number(kIndex)) oil.viscosity_index = *index;
-  const double *at_40 = number(kAt40), *at_100 = number(kAt100);
-  oil.viscosity_40 = grade == kStatedGrade && at_40 != nullptr ? *at_40 : viscosity_40_of(grade);
-  if (grade == kStatedGrade && at_100 != nullptr) oil.viscosity_100 = *at_100;
-  return oil;
-}
-
-std::string words_for(const std::string& grade, const bearing::OilGrade& oil) {
-  const std::string name =
-      grade == kStatedGrade ? fmt::format("of {:g} mm2/s at 40 degC", 1e6 * oil.viscosity_40) : grade;
+std::string words_for(bearing::ViscosityGrade grade, const bearing::OilGrade& oil) {
+  const std::string name = grade == bearing::ViscosityGrade::stated
+                               ? fmt::format("of {:g} mm2/s at 40 degC", 1e6 * oil.viscosity_40)
+                               : std::string(described::text_of(grade));
   return oil.viscosity_100
              ? fmt::format("an oil {}, {:g} mm2/s at 100 degC", name, 1e6 * *oil.viscosity_100)
              : fmt::format("a mineral oil {} of viscosity index {:g}", name, oil.viscosity_index);
 }
 
 // Throws std::invalid_argument for an oil of which nothing is known.
-std::vector<OilProperty> properties_of(const std::string& grade, const bearing::OilGrade& oil,
+std::vector<OilProperty> properties_of(bearing::ViscosityGrade grade, const bearing::OilGrade& oil,
                                        double temperature) {
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
   const std::string reason = fmt::format("default: {} at {:g} degC", words_for(grade, oil), temperature);
@@ -100,47 +78,32 @@ std::vector<OilProperty> properties_of(const std::string& grade, const bearing::
            fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
+// An oil by its grade, and the density that counts.
+struct OilOfCase {
+  struct Part {
+    bearing::GradedOil oil;
+    bearing::motion::OilDragParameters drag;
+  };
+  template <class Visitor>
+  static void inputs(Visitor& visit, Part& part) {
+    describe(visit, part.oil);
+    describe(visit, part.drag);
+  }
+};
+
 }  // namespace
 
-double oil_density(const ResolvedCase& in) {
-  return density_that_counts(
-      [&](const std::string& path) { return in.has(path) ? &in.value(path).number : nullptr; });
-}
-
-bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
-  return {.viscosity = in.quantity(keys().viscosity),
-          .pressure_viscosity = in.quantity(keys().pressure_viscosity)};
-}
-
-bearing::OilGrade graded_oil(const ResolvedCase& in) {
-  return oil_by_inputs(in.choice(keys().oil_grade), [&](const std::string& path) {
-    return in.has(path) ? &in.value(path).number : nullptr;
-  });
-}
-
-bool is_known_oil(const ResolvedCase& in) {
-  return in.choice(keys().oil_grade) != kStatedGrade || in.has(kAt40);
-}
-
-double graded_viscosity_slope(const ResolvedCase& in) {
-  return bearing::viscosity_slope(graded_oil(in), in.quantity(keys().oil_temperature));
-}
-
 void fill_from_grade(CaseData& data, Model model) {
-  if (data.values.contains(kAt40))
-    put_where_absent(data, keys().oil_grade, kStatedGrade, "default: lubricant.viscosity_40 states the oil");
-  const auto grade = data.values.find(keys().oil_grade);
-  const auto number = [&](const std::string& path) -> const double* {
-    const auto found = data.values.find(path);
-    return found == data.values.end() ? nullptr : &found->second.value.number;
-  };
-  const double* temperature = number(keys().oil_temperature);
-  if (grade == data.values.end() || temperature == nullptr) return;
-  const std::string name = grade->second.value.given;
-  if (name == kStatedGrade && !data.values.contains(kAt40)) return;  // reported by check_grade()
+  if (data.values.contains(keys().oil_viscosity_40))
+    put_where_absent(data, keys().oil_grade, std::string(described::text_of(bearing::ViscosityGrade::stated)),
+                     "default: " + keys().oil_viscosity_40 + " states the oil");
+  if (!data.values.contains(keys().oil_grade) || !data.values.contains(keys().oil_temperature)) return;
+  const OilOfCase::Part in = PartOfData<OilOfCase>::read(data, "");
+  const std::optional<bearing::OilGrade> oil = oil_of(in.oil, density_of_oil(in.drag));
+  if (!oil) return;  // reported by check_grade()
   std::vector<OilProperty> properties;
   try {
-    properties = properties_of(name, oil_by_inputs(name, number), *temperature);
+    properties = properties_of(*in.oil.grade, *oil, in.oil.temperature);
   } catch (const std::invalid_argument&) {
     return;  // reported by check_grade()
   }
@@ -152,30 +115,32 @@ void fill_from_grade(CaseData& data, Model model) {
 }
 
 std::string stated_path(const ResolvedCase& in, const std::string& path) {
-  return path == keys().oil_grade && in.has(kAt40) ? kAt40 : path;
+  return path == keys().oil_grade && in.has(keys().oil_viscosity_40) ? keys().oil_viscosity_40 : path;
 }
 
 void check_grade(CheckedCase& in) {
-  if (in.has(kAt100) && !in.has(kAt40))
-    return in.add_error_at(kAt100, "a viscosity at 100 degC without that at 40 degC",
-                           std::string(kAt40) + " is required with it");
-  if (!in.has(keys().oil_grade)) return;
-  const bool stated = in.choice(keys().oil_grade) == kStatedGrade;
-  if (stated != in.has(kAt40))
-    return in.add_error_at(
-        keys().oil_grade, in.choice(keys().oil_grade) + (stated ? " without " : " together with ") + kAt40,
-        stated ? "lubricant.viscosity_40 is required with it" : "one of the two is required");
-  if (stated && in.has(kAt100)) {
-    if (in.quantity(kAt100) >= in.quantity(kAt40))
-      in.add_error_at(kAt100, in.given(kAt100) + " with " + in.given(kAt40) + " at 40 degC",
+  const std::string &grade = keys().oil_grade, &at_40 = keys().oil_viscosity_40,
+                    &at_100 = keys().oil_viscosity_100;
+  const bearing::GradedOil oil = PartOfData<OilOfCase>::read(in.data(), "").oil;
+  if (oil.viscosity_100 && !oil.viscosity_40)
+    return in.add_error_at(at_100, "a viscosity at 100 degC without that at 40 degC",
+                           at_40 + " is required with it");
+  if (!oil.grade) return;
+  const bool stated = oil.grade == bearing::ViscosityGrade::stated;
+  if (stated != oil.viscosity_40.has_value())
+    return in.add_error_at(grade, in.choice(grade) + (stated ? " without " : " together with ") + at_40,
+                           stated ? at_40 + " is required with it" : "one of the two is required");
+  if (stated && oil.viscosity_100) {
+    if (*oil.viscosity_100 >= *oil.viscosity_40)
+      in.add_error_at(at_100, in.given(at_100) + " with " + in.given(at_40) + " at 40 degC",
                       "less at 100 degC than at 40 degC is required");
     return;
   }
   try {
-    const bearing::OilGrade oil = graded_oil(in);
-    (void)bearing::viscosity_at_100(oil.viscosity_40, oil.viscosity_index);
+    const bearing::OilGrade found = oil_of(oil).value();
+    (void)bearing::viscosity_at_100(found.viscosity_40, found.viscosity_index);
   } catch (const std::invalid_argument& error) {
-    const std::string path = stated ? kAt40 : keys().oil_grade;
+    const std::string& path = stated ? at_40 : grade;
     in.add_error_at(path, in.given(path), error.what());
   }
 }

@@ -1,10 +1,9 @@
 // Fields of an oil by its grade.
-#include <fmt/format.h>
-
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/machine_fields.hpp"
-#include "app/case/oil_case.hpp"
-#include "bearing/film/oil_grade.hpp"
+#include "bearing/film/graded_oil.hpp"
+#include "mechanics/member_keys.hpp"
 
 namespace orbearing::app {
 
@@ -24,29 +23,22 @@ Use use_of_grade(Use use) {
 namespace table {
 
 void add_grade_fields(std::vector<Field>& fields, unsigned models, const Use& use) {
-  const Condition graded = where_given({"lubricant.grade"});
-  models &= row_of(fields, "lubricant.viscosity").models;
-  Rows rows(fields, models);
-  std::vector<std::string> grades;
-  for (const int grade : bearing::kOilGrades) grades.push_back(fmt::format("ISO VG {}", grade));
-  grades.emplace_back(kStatedGrade);
-  rows.choice("lubricant.grade",
-              "viscosity grade of a mineral oil; with the temperature it replaces lubricant.viscosity, "
-              "pressure_viscosity and kinematic_viscosity. stated: lubricant.viscosity_40 says it",
-              use, std::move(grades));
-  rows.quantity("lubricant.viscosity_40",
-                "kinematic viscosity at 40 degC as a data sheet states it, instead of a grade", use,
-                dimension::kinematic_viscosity, positive(1e6));
-  rows.quantity("lubricant.viscosity_100",
-                "kinematic viscosity at 100 degC, stated with viscosity_40; by the viscosity index if absent",
-                use.when(where_given({"lubricant.viscosity_40"})), dimension::kinematic_viscosity,
-                {2.0, 1e6});
-  if (find_row(fields, "lubricant.temperature") == nullptr)
-    fields.push_back(field_of_row<analysis::BearingOil>("lubricant.temperature", models, use));
-  row_of(fields, "lubricant.temperature").under(graded);
-  rows.number("lubricant.viscosity_index", "viscosity index, stated with the grade",
-              use.when(graded).when(where_absent("lubricant.viscosity_100")), {0.0, 100.0})
-      .by_default("95", "an ordinary mineral oil");
+  const bearing::GradedOil oil;
+  const mechanics::MemberKeys key(oil);
+  models &= row_of(fields, keys().viscosity).models;
+  for (const std::string& path : paths_of<bearing::GradedOil>())
+    if (find_row(fields, path) == nullptr)
+      fields.push_back(field_of_row<bearing::GradedOil>(path, models, use));
+  const auto put = [&](const auto& member, const Use& of_member) {
+    row_of(fields, key(member)).use = of_member;
+  };
+  const Condition graded = where_given({key(oil.grade)});
+  put(oil.grade, use);
+  put(oil.viscosity_40, use);
+  put(oil.viscosity_100, use.when(where_given({key(oil.viscosity_40)})));
+  row_of(fields, key(oil.temperature)).under(graded);
+  put(oil.viscosity_index, use.when(graded).when(where_absent(key(oil.viscosity_100))));
+  row_of(fields, key(oil.viscosity_index)).default_text = "95";  // as data sheets write it
 }
 
 // The analyses that use the viscosity use these fields.

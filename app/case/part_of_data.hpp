@@ -24,6 +24,11 @@ inline const StoredValue* value_in_set(const CaseData& data, const std::string& 
   return found == data.values.end() ? nullptr : &found->second;
 }
 
+template <class T>
+inline constexpr bool is_optional_choice = false;
+template <class Choice>
+inline constexpr bool is_optional_choice<std::optional<Choice>> = std::is_enum_v<Choice>;
+
 /// The members of `Selection::Part` that `Selection::inputs` describes: found once, since parts are read for
 /// each point of a sweep.
 template <class Selection>
@@ -56,6 +61,8 @@ class PartOfData {
       member = static_cast<Member>(value.number);
     else if constexpr (std::is_same_v<Member, std::optional<double>>)
       member = value.number;
+    else if constexpr (is_optional_choice<Member>)
+      member = value_named<typename Member::value_type>(value.given);
     else if constexpr (std::is_same_v<Member, std::vector<double>>)
       member = value.list;
   }

@@ -46,7 +46,7 @@ void add_life(std::vector<Field>& fields) {
   const analysis::StatedCapacities& capacities = rating.capacities;
   const mechanics::MemberKeys key(rating);
   const Condition oil_is_stated =
-      where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor),
+      where_given({key(oil.stated.grade), key(life.cleanliness), key(life.contamination_factor),
                    key(life.viscosity_ratio), key(oil.kinematic_viscosity)});
   Rows planets(fields, planetary_drivetrain);
   const Use by_planets(rated_runs(), all_of_drivetrains().without(analyses_with_lives()));
@@ -75,13 +75,13 @@ void add_life(std::vector<Field>& fields) {
   add(life, life.contamination_factor, by_life);
   add(life, life.lubrication,
       by_life.when(where_absent(key(life.contamination_factor)))
-          .when(where_given({key(life.cleanliness), key(oil.grade), key(life.viscosity_ratio),
+          .when(where_given({key(life.cleanliness), key(oil.stated.grade), key(life.viscosity_ratio),
                              key(oil.kinematic_viscosity)})));
   add(life, life.cleanliness, by_life);
   add(rating, rating.viscosity_ratio_by,
       Use(rated_runs(), all_of_drivetrains().without(analyses_with_lives()))
-          .when(where_given({key(oil.grade), key(life.cleanliness), key(life.contamination_factor)})));
-  add(oil, oil.kinematic_viscosity, by_stated_kappa.when(where_absent(key(oil.grade))));
+          .when(where_given({key(oil.stated.grade), key(life.cleanliness), key(life.contamination_factor)})));
+  add(oil, oil.kinematic_viscosity, by_stated_kappa.when(where_absent(key(oil.stated.grade))));
 }
 
 void add_defects(std::vector<Field>& fields) {

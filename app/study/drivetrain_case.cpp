@@ -4,7 +4,6 @@
 
 #include "app/case/drivetrain_reader.hpp"
 #include "app/case/input_keys.hpp"
-#include "app/case/oil_case.hpp"
 #include "coupling/analysis/drivetrain_warnings.hpp"
 
 namespace orbearing::app {
@@ -21,7 +20,7 @@ std::vector<std::string> planar_warnings(const ResolvedCase& in) {
 
 std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {
   return analysis::stated_oil(machine_of<analysis::LifeInputs>(in), machine_of<analysis::BearingOil>(in),
-                              oil_density(in));
+                              density_of_oil(from_case<bearing::motion::OilDragParameters>(in)));
 }
 
 std::vector<std::string> rating_warnings(const ResolvedCase& in) {

@@ -25,10 +25,6 @@ struct OilGrade {
   bool operator==(const OilGrade&) const = default;
 };
 
-/// Grades of [ISO3448] [mm^2/s at 40 degC] that reach 2 mm^2/s at 100 degC.
-inline constexpr int kOilGrades[] = {7,   10,  15,  22,  32,   46,   68,   100, 150,
-                                     220, 320, 460, 680, 1000, 1500, 2200, 3200};
-
 /// Kinematic viscosity at 100 degC [m^2/s] of an oil with that viscosity index (at most 100) and
 /// `viscosity_40` [m^2/s]. Throws std::invalid_argument where that is below 2 mm^2/s, at which [ASTMD2270]
 /// begins.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/contact/traction_law.hpp"
+#include "bearing/film/oil_grade.hpp"
 #include "bearing/parameters.hpp"
 
 namespace orbearing::bearing {
@@ -313,6 +314,11 @@ struct OilDragParameters {
   double churning_coefficient =
       0.05;  // [-]  Assumption: disc and drum friction of the Reynolds numbers at hand
 };
+
+/// Density of the oil [kg/m^3], which counts where it is stirred; else that of a mineral oil.
+inline double density_of_oil(const OilDragParameters& drag) {
+  return drag.on ? drag.oil_density : OilGrade{}.density;
+}
 
 /// Rollers at rest have it too.
 inline auto oil_share_row(double& share) {

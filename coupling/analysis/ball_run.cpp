@@ -75,11 +75,6 @@ bearing::balls::BallDuty ball_duty(const BallsInTime& in) {
   return duty;
 }
 
-// Density [kg/m^3] of the oil: that of a mineral oil where none is stirred.
-double oil_density(const bearing::motion::OilDragParameters& drag) {
-  return drag.on ? drag.oil_density : bearing::OilGrade{}.density;
-}
-
 }  // namespace
 
 BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& progress) {
@@ -130,7 +125,7 @@ BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& p
                              .torque = means.friction_torque,
                              .rolling = rolling,
                              .isothermal = isothermal ? rolling : 0.0,
-                             .viscosity = motion.lubricant.viscosity / oil_density(motion.drag)},
+                             .viscosity = motion.lubricant.viscosity / density_of_oil(motion.drag)},
                             ratings.static_capacity);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;

@@ -148,14 +148,15 @@ OilInContacts oil_at(const bearing::OilGrade& oil, double temperature) {
 // Oil that is stated by grade, or by a viscosity that a mineral oil has at the default temperature; none:
 // neither.
 std::optional<bearing::OilGrade> stated_grade(const BearingOil& oil) {
-  if (oil.grade) return oil.grade;
+  if (oil.stated.grade) return oil_of(oil.stated);
   return oil.kinematic_viscosity ? oil_with(*oil.kinematic_viscosity) : std::nullopt;
 }
 
 // At the temperature at which the bearing runs.
 OilInContacts oil_in_contacts(const BearingOil& oil, const bearing::OilGrade& grade) {
-  return oil.grade ? OilInContacts{oil.lubricant, bearing::viscosity_slope(grade, oil.temperature)}
-                   : oil_at(grade, friction::thermal_reference::kTemperature);
+  return oil.stated.grade
+             ? OilInContacts{oil.lubricant, bearing::viscosity_slope(grade, oil.stated.temperature)}
+             : oil_at(grade, friction::thermal_reference::kTemperature);
 }
 
 friction::Inlets roller_inlets(const RollersUnderLoad& in, const OilInContacts& oil, double speed,

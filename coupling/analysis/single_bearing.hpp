@@ -8,7 +8,7 @@
 
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
-#include "bearing/film/oil_grade.hpp"
+#include "bearing/film/graded_oil.hpp"
 #include "bearing/friction/published_torque.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/parameters.hpp"
@@ -109,30 +109,20 @@ void describe(Visitor& visit, RollerLifeInputs& m) {
 /// A level of cleanliness that does not fit how the bearing is lubricated, or that is stated twice.
 mechanics::Problems problems(const LifeInputs& life);
 
-inline auto oil_temperature_row(double& temperature) {
-  using namespace described;
-  return input(temperature, "lubricant.temperature", "running temperature of the oil, stated with its grade",
-               {.dimension = dimension::temperature,
-                .range = {-20.0, 150.0},
-                .reason = "oil of a gearbox at full load"});
-}
-
 /// The oil of a bearing, for films, friction and kappa.
 struct BearingOil {
-  std::optional<bearing::OilGrade> grade;                 // none: not stated by a grade
-  double temperature = 70.0;                              // [degC]  at which the oil of a grade runs
+  bearing::GradedOil stated;                              // by its grade; else as below
   std::optional<double> kinematic_viscosity;              // [m^2/s]  at running temperature
   bearing::Lubricant lubricant = bearing::warm_gear_oil;  // of the grade, or as stated with its own rows
 };
-/// A case states a grade by several inputs.
 template <class Visitor>
 void describe(Visitor& visit, BearingOil& m) {
   using namespace described;
-  members(visit, m, internal(m.grade, "lubricant.grade"), oil_temperature_row(m.temperature),
+  members(visit, m, part(m.stated),
           input(m.kinematic_viscosity, "lubricant.kinematic_viscosity",
                 "kinematic viscosity at running temperature, instead of kappa",
                 {.dimension = dimension::kinematic_viscosity, .range = positive(1e6)}),
-          internal(m.lubricant, "lubricant.grade"));
+          internal(m.lubricant, "lubricant"));
 }
 
 /// Inputs of all runs of a bearing under a load of its own.

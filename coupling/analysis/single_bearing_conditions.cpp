@@ -48,7 +48,7 @@ Premise<Inputs> rings_rotate(const Inputs& m, const Keys<Inputs>& key) {
 
 template <class Inputs>
 Premise<Inputs> oil_has_viscosity(const Inputs& m, const Keys<Inputs>& key) {
-  return {.on = {key(m.loaded.oil.grade), key(m.loaded.oil.kinematic_viscosity)},
+  return {.on = {key(m.loaded.oil.stated.grade), key(m.loaded.oil.kinematic_viscosity)},
           .holds = [](const Inputs& in) { return in.loaded.oil.kinematic_viscosity.has_value(); }};
 }
 
@@ -58,7 +58,7 @@ Conditional<Inputs> reliability_with_oil(const Inputs& m, const Keys<Inputs>& ke
   const LifeInputs& life = m.loaded.life;
   const BearingOil& oil = m.loaded.oil;
   return {.keys = {key(life.reliability)},
-          .premises = {{.on = {key(oil.grade), key(life.cleanliness), key(life.contamination_factor),
+          .premises = {{.on = {key(oil.stated.grade), key(life.cleanliness), key(life.contamination_factor),
                                key(life.viscosity_ratio), key(oil.kinematic_viscosity)},
                         .holds = [](const Inputs& in) { return stated_oil(in.loaded).has_value(); }}}};
 }
@@ -83,7 +83,7 @@ Conditional<Inputs> lubrication(const Inputs& m, const Keys<Inputs>& key) {
           .premises = {{.on = {key(life.contamination_factor)},
                         .holds = [](const Inputs& in) { return !in.loaded.life.contamination_factor; },
                         .text = "where " + key(life.contamination_factor) + " is not given"},
-                       {.on = {key(life.cleanliness), key(oil.grade), key(life.viscosity_ratio),
+                       {.on = {key(life.cleanliness), key(oil.stated.grade), key(life.viscosity_ratio),
                                key(oil.kinematic_viscosity)},
                         .holds = [](const Inputs& in) { return stated_oil(in.loaded).has_value(); }}}};
 }
@@ -92,7 +92,7 @@ Conditional<Inputs> lubrication(const Inputs& m, const Keys<Inputs>& key) {
 template <class Inputs>
 std::vector<Conditional<Inputs>> conditions_of_grade(const Inputs& m, const Keys<Inputs>& key,
                                                      const std::vector<Premise<Inputs>>& friction) {
-  const std::vector<std::string> keys{key(m.loaded.oil.grade), key(m.loaded.oil.temperature)};
+  const std::vector<std::string> keys{key(m.loaded.oil.stated.grade), key(m.loaded.oil.stated.temperature)};
   const std::string& ratio = key(m.loaded.life.viscosity_ratio);
   return {{.keys = keys,
            .premises = {{.on = {ratio},
@@ -140,8 +140,8 @@ std::vector<Conditional<Inputs>> conditions_of_balls(const Inputs& m, const Keys
           {.keys = {key(bearing_of(m).material.density)},
            .premises = {balls_move(m, key), balls_have_inertia(m, key)},
            .otherwise = Otherwise::not_modelled},
-          {.keys = {key(oil.lubricant.viscosity), key(oil.lubricant.pressure_viscosity), key(oil.grade),
-                    key(oil.temperature)},
+          {.keys = {key(oil.lubricant.viscosity), key(oil.lubricant.pressure_viscosity),
+                    key(oil.stated.grade), key(oil.stated.temperature)},
            .premises = {film_takes_part(m, key)},
            .otherwise = Otherwise::not_modelled}};
 }

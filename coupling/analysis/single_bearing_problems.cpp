@@ -80,7 +80,7 @@ mechanics::Problems problems(const OilOfLife& machine) {
                     &viscosity = key_of(machine.oil.kinematic_viscosity),
                     &factor = key_of(life.contamination_factor), &level = key_of(life.cleanliness);
   mechanics::Problems found;
-  if (machine.oil.grade) return found;  // a viscosity that is always there
+  if (machine.oil.stated.grade) return found;  // a viscosity that is always there
   const bool of_ratio = life.viscosity_ratio.has_value(),
              of_oil = machine.oil.kinematic_viscosity.has_value();
   if (of_ratio && of_oil)
@@ -102,7 +102,7 @@ mechanics::Problems problems(const ViscosityRatio& machine) {
   const BearingOil& oil = machine.oil.oil;
   if (machine.oil.life.viscosity_ratio || !oil.kinematic_viscosity) return {};
   const mechanics::MemberKeys key_of(machine);
-  const std::string& key = oil.grade ? key_of(oil.grade) : key_of(oil.kinematic_viscosity);
+  const std::string& key = oil.stated.grade ? key_of(oil.stated.grade) : key_of(oil.kinematic_viscosity);
   const double speed = machine.rotation.relative(), viscosity = *oil.kinematic_viscosity;
   if (speed == 0.0)
     return {{key, "a viscosity for rings that do not rotate; " + key_of(machine.rotation.shaft_speed) +

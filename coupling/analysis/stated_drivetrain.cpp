@@ -65,7 +65,7 @@ PlanetaryDrivetrain drivetrain_of(const StatedSet& stated, const gearset::Drive&
   out.bearing.inner.form = harmonics_of(stated.forms.inner);
   out.bearing.outer.form = harmonics_of(stated.forms.outer);
   out.uneven_planets = !unequal_loads_by(stated).empty();
-  out.rated = rated_bearing(stated.rating, stated.oil_density, out.dynamics.race.roughness);
+  out.rated = rated_bearing(stated.rating, density_of_oil(out.dynamics.drag), out.dynamics.race.roughness);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
   // Without inner ring the pin itself carries the race and moves with it, down to its hole; of a solid one a
   // hole of no account, since a bore is above 0.

@@ -38,7 +38,6 @@ struct StatedSet {
   bearing::profile::StatedProfile profile;  // of the rollers; none: that of the bearings of `planets`
   bearing::RaceForms forms;
   PlanetRating rating;
-  double oil_density = bearing::OilGrade{}.density;  // [kg/m^3]
   SetGears gears;
   gearset::spatial::CarrierMounting carrier;  // of a single set
 
@@ -53,8 +52,7 @@ void describe(Visitor& visit, StatedSet& m) {
   members(visit, m, part(m.teeth), part(m.second_planet), part(m.geometry),
           internal(m.planet_bore_ratio, "gearset.planet_bore_ratio"),
           internal(m.bearing_type, "bearing.type"), internal(m.complement, "bearing.complement"),
-          part(m.planets), part(m.profile), part(m.forms), part(m.rating), apart(m.oil_density),
-          part(m.gears), part(m.carrier));
+          part(m.planets), part(m.profile), part(m.forms), part(m.rating), part(m.gears), part(m.carrier));
 }
 
 /// The set with the bore that its bearings fill, and its density.

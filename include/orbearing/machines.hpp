@@ -38,8 +38,8 @@ PlanetaryDrivetrain drivetrain_of(const Case& stated);
 
 /// The case with the machine's values where they differ from its own; what follows from them is derived anew,
 /// and all is checked. Throws BadInput where that is no sound case, and for a change of what no single input
-/// states: an oil by its grade, the number of sets, or members that follow from others, such as the profile of
-/// a roller from StatedProfile.
+/// states: the number of sets, or members that follow from others, such as the profile of a roller from
+/// StatedProfile and the viscosities of an oil from its grade.
 Case changed(const Case& stated, const Machine& machine);
 
 }  // namespace orbearing

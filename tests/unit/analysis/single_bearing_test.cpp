@@ -39,9 +39,9 @@ BallsUnderLoad balls(double contact_angle) {
 
 // A mineral oil as a case with lubricant.grade states it.
 void fill_with_oil(double temperature, LoadedBearing& in) {
-  const bearing::OilGrade grade{.viscosity_40 = 100e-6};
-  in.oil = {.grade = grade,
-            .temperature = temperature,
+  const bearing::GradedOil stated{.grade = bearing::ViscosityGrade::vg100, .temperature = temperature};
+  const bearing::OilGrade grade = oil_of(stated).value();
+  in.oil = {.stated = stated,
             .kinematic_viscosity = bearing::kinematic_viscosity(grade, temperature),
             .lubricant = bearing::lubricant_at(grade, temperature)};
 }

@@ -174,16 +174,16 @@ TEST(MachineOf, HasWhatACaseStatesBySeveralInputs) {
   EXPECT_EQ(plain.loaded.rotation.turning_race, bearing::Race::outer);
   EXPECT_EQ(plain.loaded.bearing.rollers().laminae, analysis::default_laminae);
   EXPECT_EQ(plain.loaded.profile.kind, bearing::profile::Kind::iso16281);
-  EXPECT_FALSE(plain.loaded.oil.grade || plain.loaded.size || plain.loaded.life.cleanliness);
+  EXPECT_FALSE(plain.loaded.oil.stated.grade || plain.loaded.size || plain.loaded.life.cleanliness);
   const auto stated = machine_of<analysis::RollersUnderLoad>(
       read(rollers, {"bearing.profile.kind=straight", "bearing.laminae=12", "lubricant.grade=ISO VG 68",
                      "lubricant.temperature=60 degC", "life.cleanliness=-/17/14", "bearing.bore=40 mm",
                      "bearing.outside_diameter=80 mm", "bearing.width=18 mm"}));
   EXPECT_EQ(stated.loaded.bearing.rollers().laminae, 12);
   EXPECT_EQ(stated.loaded.profile.kind, bearing::profile::Kind::straight);
-  ASSERT_TRUE(stated.loaded.oil.grade && stated.loaded.oil.kinematic_viscosity && stated.loaded.size);
-  EXPECT_DOUBLE_EQ(stated.loaded.oil.grade->viscosity_40, 68e-6);
-  EXPECT_EQ(stated.loaded.oil.temperature, 60.0);
+  ASSERT_TRUE(stated.loaded.oil.kinematic_viscosity && stated.loaded.size);
+  EXPECT_EQ(stated.loaded.oil.stated.grade, bearing::ViscosityGrade::vg68);
+  EXPECT_EQ(stated.loaded.oil.stated.temperature, 60.0);
   EXPECT_EQ(stated.loaded.life.cleanliness, bearing::rating::Cleanliness::medium);
   EXPECT_DOUBLE_EQ(stated.loaded.size->outside, 80e-3);
 }

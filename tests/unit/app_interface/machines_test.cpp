@@ -92,7 +92,6 @@ class Change {
     return change(values.front());
   }
   static bool change(bearing::Lubricant& oil) { return change(oil.viscosity); }
-  static bool change(bearing::OilGrade& oil) { return change(oil.viscosity_40); }
   static bool change(bearing::friction::BearingSize& size) { return change(size.bore); }
   static bool change(bearing::RaceHarmonic& wave) { return change(wave.amplitude); }
   static bool change(bearing::profile::Profile& profile) {
@@ -196,8 +195,6 @@ TEST(MachinesOfCases, WhatNoInputStatesIsRefused) {
   EXPECT_REFUSED(BadInput, "machines profile", change_set(stated, [](analysis::StatedSet& set) {
                    set.planets.bearing.rollers().profile = bearing::profile::CircularCrown{0.012, 1e-6};
                  }));
-  EXPECT_REFUSED(BadInput, "machines density",
-                 change_set(stated, [](analysis::StatedSet& set) { set.oil_density = 900.0; }));
   EXPECT_REFUSED(BadInput, "machines twice", change_set(stated, [](analysis::StatedSet& set) {
                    set.planets.bearing.material.youngs_modulus = 200e9;
                    set.gears.material.youngs_modulus = 190e9;
@@ -223,6 +220,23 @@ TEST(MachinesOfCases, ProfilesAreSet) {
       of_bearing.with("bearing.profile.kind", "circular").with("bearing.profile.drop", "7e-06 m").resolved());
   single.run.loaded.profile = {.kind = Kind::straight, .drop = 7e-6};
   EXPECT_REFUSED(BadInput, "machines no profile", changed(of_bearing, single));
+}
+
+// The viscosities follow.
+TEST(MachinesOfCases, OilsAreSet) {
+  using bearing::ViscosityGrade;
+  const Case stated =
+      parsed("reducer_150kW", {"lubricant.grade=ISO VG 220", "lubricant.temperature=70 degC"});
+  PlanetaryDrivetrain reducer = drivetrain_of(stated);
+  bearing::GradedOil& oil = reducer.sets.front().set.rating.oil.stated;
+  oil.grade = ViscosityGrade::vg32;
+  oil.temperature = 55.0;
+  EXPECT_EQ(changed(stated, reducer).resolved(),
+            stated.with("lubricant.grade", "ISO VG 32").with("lubricant.temperature", "55 degC").resolved());
+  oil = {.grade = ViscosityGrade::stated, .viscosity_40 = 200e-6, .viscosity_100 = 16e-6};
+  EXPECT_EQ(drivetrain_of(changed(stated, reducer)).single().rating.oil.stated, oil);
+  oil.viscosity_100 = 300e-6;
+  EXPECT_REFUSED(BadInput, "machines no oil", changed(stated, reducer));
 }
 
 // A viscosity beside a grade would have no effect.

@@ -77,7 +77,6 @@ TEST(OilGrade, ThinnerAndLessSensitiveToPressureWhenWarm) {
 TEST(OilGrade, OilsOfWhichNothingIsKnownAreRefused) {
   EXPECT_REFUSED(std::invalid_argument, "oil_grade 1", viscosity_at_100(3.0 * kMm2, 95.0));
   EXPECT_REFUSED(std::invalid_argument, "oil_grade 2", viscosity_at_100(220.0 * kMm2, 160.0));
-  for (const int grade : kOilGrades) EXPECT_GT(viscosity_at_100(grade * kMm2, 95.0), 0.0) << grade;
 }
 
 }  // namespace
