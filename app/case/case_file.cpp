@@ -151,7 +151,7 @@ class Resolver {
       if (value == data_.values.end() || value->second.location.option) continue;
       if ((is_rating(member.key) || is_of_default_class(assumed->value, member.key)) &&
           member.value.text.starts_with("default:") &&
-          data_.values.contains(set_of(member.key) + catalogue_keys::kDesignation))
+          data_.values.contains(set_of(member.key) + keys().designation))
         value->second.from_default = true;
     }
   }
@@ -160,9 +160,9 @@ class Resolver {
   static bool is_of_default_class(const Entry& assumed, const std::string& path) {
     const std::string set = set_of(path);
     if (!is_one_of(path.substr(set.size()),
-                   {catalogue_keys::kClass, keys().radial_clearance, keys().clearance_state}))
+                   {keys().clearance_class, keys().radial_clearance, keys().clearance_state}))
       return false;
-    const Member* of_class = find_member(assumed, set + catalogue_keys::kClass);
+    const Member* of_class = find_member(assumed, set + keys().clearance_class);
     return of_class != nullptr && of_class->value.text.starts_with("default:");
   }
 
@@ -174,7 +174,7 @@ class Resolver {
   // Reports unknown designations; values that would follow from them are not reported as missing.
   void check_designations() {
     for (const std::string& prefix : set_prefixes(data_.shape)) {
-      const auto name = data_.values.find(prefix + catalogue_keys::kDesignation);
+      const auto name = data_.values.find(prefix + keys().designation);
       if (name == data_.values.end()) continue;
       const std::string file = prefix + catalogue_keys::kCatalogue;
       const auto table = data_.values.find(file);

@@ -60,7 +60,7 @@ class CatalogueCase {
   }
 
   void fill_designation() {
-    const FieldValue* name = find(catalogue_keys::kDesignation);
+    const FieldValue* name = find(keys().designation);
     entry_ = name == nullptr ? nullptr : line_of(find(catalogue_keys::kCatalogue), name->given);
     if (entry_ == nullptr) return;
     const bool rollers = catalogue::has_rollers(entry_->family);
@@ -103,7 +103,7 @@ class CatalogueCase {
   // Stated ratings remain. Without a cage there are more rollers than the line's ratings apply to.
   void fill_ratings() {
     if (inside_ == nullptr) return;
-    const std::string published = "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
+    const std::string published = "default: " + name_of(*entry_, find(keys().designation)->given);
     const FieldValue* rollers = find(keys().rollers);
     const bool full = is_full(find(keys().complement)) && rollers != nullptr;
     for (const PrintedRating& rating : ratings_of(*entry_)) {
@@ -177,7 +177,7 @@ class CatalogueCase {
   // Clearance class of the designation's suffix, else normal: the class of bearings ordered without another
   // one.
   void fill_default_class() {
-    const std::string path = prefix_ + catalogue_keys::kClass;
+    const std::string path = prefix_ + keys().clearance_class;
     auto known = data_.values.find(path);
     const auto clearance = data_.values.find(prefix_ + keys().radial_clearance);
     const bool stated = clearance != data_.values.end() && !clearance->second.from_default &&
@@ -193,17 +193,17 @@ class CatalogueCase {
         (state != nullptr && state->given == "operating"))
       return;
     const ReadDesignation read =
-        read_designation(find(catalogue_keys::kCatalogue), find(catalogue_keys::kDesignation)->given);
+        read_designation(find(catalogue_keys::kCatalogue), find(keys().designation)->given);
     for (const catalogue::Suffix* suffix : read.name.suffixes)
       if (suffix->clearance)
-        return put_default(catalogue_keys::kClass, std::string(suffix->letters),
+        return put_default(keys().clearance_class, std::string(suffix->letters),
                            "default: the suffix of bearing.designation");
-    put_default(catalogue_keys::kClass, "CN",
+    put_default(keys().clearance_class, "CN",
                 "default: normal clearance, as a catalogue bearing has it whose designation names no other");
   }
 
   void fill_class() {
-    const FieldValue *name = find(catalogue_keys::kClass), *bore = find(keys().bore);
+    const FieldValue *name = find(keys().clearance_class), *bore = find(keys().bore);
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
     const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
     try {
@@ -243,8 +243,7 @@ class CatalogueCase {
     if (const auto density = data_.values.find(prefix_ + keys().cage_density);
         density != data_.values.end() && !density->second.from_default)
       return;
-    if (const auto named =
-            cage_of(find(catalogue_keys::kCatalogue), find(catalogue_keys::kDesignation)->given))
+    if (const auto named = cage_of(find(catalogue_keys::kCatalogue), find(keys().designation)->given))
       put_default(catalogue_keys::kMaterial, std::string(named->material), "default: " + named->reason);
   }
 

@@ -102,11 +102,11 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
 namespace {
 
 void check_designation(CheckedCase& in) {
-  if (!in.has(catalogue_keys::kDesignation)) return;
+  if (!in.has(keys().designation)) return;
   const auto add_error = [&](std::string found, std::string required) {
-    in.add_error_at(catalogue_keys::kDesignation, std::move(found), std::move(required));
+    in.add_error_at(keys().designation, std::move(found), std::move(required));
   };
-  const std::string& name = in.text(catalogue_keys::kDesignation);
+  const std::string& name = in.text(keys().designation);
   const bool of_rollers = (in.model() & with_rollers) != 0;
   if (const auto message = unknown_designation(name, table_of_case(in), in.model()))
     return add_error(message->found, message->required);
@@ -135,20 +135,19 @@ void check_rated_material(CheckedCase& in) {
   if (const double stated = in.quantity(modulus); stated < softest || stated > stiffest)
     in.add_error_at(modulus,
                     fmt::format("{} together with {}, whose ratings are those of steel", in.given(modulus),
-                                in.text(catalogue_keys::kDesignation)),
+                                in.text(keys().designation)),
                     "a modulus of steel, 190 to 225 GPa, or bearing.dynamic_capacity, static_capacity and "
                     "fatigue_load_limit of a bearing of that material, is required");
 }
 
 void check_class(CheckedCase& in) {
-  if (!in.has(catalogue_keys::kClass)) return;
+  if (!in.has(keys().clearance_class)) return;
   // For an unknown bearing the mistake is reported at its designation.
-  if (std::any_of(in.mistakes.begin(), in.mistakes.end(), [](const Mistake& mistake) {
-        return mistake.path.ends_with(catalogue_keys::kDesignation);
-      }))
+  if (std::any_of(in.mistakes.begin(), in.mistakes.end(),
+                  [](const Mistake& mistake) { return mistake.path.ends_with(keys().designation); }))
     return;
   const auto add_error = [&](std::string found, std::string required) {
-    in.add_error_at(catalogue_keys::kClass, std::move(found), std::move(required));
+    in.add_error_at(keys().clearance_class, std::move(found), std::move(required));
   };
   // A class that its table does not have leaves the default, which is no mistake of the case.
   const auto state = in.assumed().find(keys().clearance_state);
@@ -166,9 +165,9 @@ void check_class(CheckedCase& in) {
     return;
   }
   try {
-    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(catalogue_keys::kClass)), *bore);
+    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(keys().clearance_class)), *bore);
   } catch (const std::invalid_argument& error) {
-    add_error(in.choice(catalogue_keys::kClass), error.what());
+    add_error(in.choice(keys().clearance_class), error.what());
   }
 }
 

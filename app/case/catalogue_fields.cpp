@@ -8,8 +8,9 @@
 #include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/input_keys.hpp"
+#include "app/case/machine_fields.hpp"
 #include "app/case/resolved_case.hpp"
-#include "bearing/catalogue/classes.hpp"
+#include "bearing/catalogue/catalogue_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -50,7 +51,7 @@ Use use_of_complement(std::vector<Field>& fields, AnalysisSet by_designation) {
   for (AnalysisSet* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by})
     *status = status->without(moving);
   rollers.refused_by |= moving;
-  return rollers.used_only(by_designation, {where_given({catalogue_keys::kDesignation})});
+  return rollers.used_only(by_designation, {where_given({keys().designation})});
 }
 
 }  // namespace
@@ -62,11 +63,11 @@ std::vector<Condition> given_by(std::string_view path) {
   if (path == keys().power) return {where_given({kTorquePath}), where_given({kTorqueCurvePath})};
   if (path == keys().bearing_type || (of_cage && path != keys().cage_density) ||
       std::find(designated.begin(), designated.end(), path) != designated.end())
-    by.push_back(where_given({catalogue_keys::kDesignation}));
+    by.push_back(where_given({keys().designation}));
   if (path == keys().rollers || of_cage) by.push_back(where(keys().complement, {"full"}));
   if (path == keys().bore) by.push_back(where(keys().rings, {"outer", "none"}));
   if (path == keys().outside_diameter) by.push_back(where(keys().rings, {"none"}));
-  if (path == keys().radial_clearance) by.push_back(where_given({catalogue_keys::kClass}));
+  if (path == keys().radial_clearance) by.push_back(where_given({keys().clearance_class}));
   if (path == keys().cage_density) by.push_back(where_given({catalogue_keys::kMaterial}));
   if (path == keys().inner_interference) by.push_back(where_given({catalogue_keys::kPinClass}));
   if (path == keys().outer_interference) by.push_back(where_given({catalogue_keys::kPlanetClass}));
@@ -98,18 +99,14 @@ void add_catalogue_fields(std::vector<Field>& fields, unsigned models, AnalysisS
                   with_outer_ring = where(keys().rings, {"both", "outer"});
   std::vector<Field> added;
   Rows bought(added, with_rollers | with_balls), planets(added, planetary_drivetrain);
-  bought.text(
-      kDesignation,
-      "designation of the bearing in a catalogue, such as NU 205, 6205, 7205 B or K 20x24x10: boundary "
-      "dimensions and ratings as printed, rollers or balls inferred from them",
-      by_designation);
+  using Stated = catalogue::CatalogueBearing;
+  added.push_back(field_of_row<Stated>(keys().designation, with_rollers | with_balls, by_designation));
   bought.text(kCatalogue,
               "file of bearings (CSV), searched for the designation before the project's own catalogue; "
               "several lines: the table itself",
-              by_designation.when(where_given({kDesignation})));
-  Rows(added, with_rollers | single_ball_bearing)
-      .choice(kClass, "clearance class of the unmounted bearing, ISO 5753; the middle of its range is used",
-              use_of_any(fields, {keys().radial_clearance}), choices_of<catalogue::ClearanceClass>());
+              by_designation.when(where_given({keys().designation})));
+  added.push_back(field_of_row<Stated>(keys().clearance_class, with_rollers | single_ball_bearing,
+                                       use_of_any(fields, {keys().radial_clearance})));
   planets.choice(
       kPinClass,
       "tolerance class (ISO 286) of the pin under the inner ring, instead of its interference: mean "
@@ -132,8 +129,8 @@ void add_catalogue_fields(std::vector<Field>& fields, unsigned models, AnalysisS
   const auto limit = [&](const std::string& path, const Condition& condition) {
     if (Field* field = find_row(fields, path)) field->under(condition);
   };
-  for (const std::string& path : paths_of_designation()) limit(path, where_absent(kDesignation));
-  limit(keys().radial_clearance, where_absent(kClass));
+  for (const std::string& path : paths_of_designation()) limit(path, where_absent(keys().designation));
+  limit(keys().radial_clearance, where_absent(keys().clearance_class));
   limit(keys().cage_density, where_absent(kMaterial));
   limit(keys().inner_interference, where_absent(kPinClass));
   limit(keys().outer_interference, where_absent(kPlanetClass));
@@ -145,8 +142,13 @@ void add_catalogue_fields(std::vector<Field>& fields, unsigned models, AnalysisS
   limit(keys().inner_ring_temperature, with_both_rings);
   limit(keys().outer_interference, with_outer_ring);
   limit(keys().outer_ring_temperature, with_outer_ring);
-  for (Field& field : added)
-    if ((field.models &= models) != 0) fields.push_back(std::move(field));
+  for (Field& field : added) {
+    Field* own = find_row(fields, field.path);  // of a machine that has the member
+    if (own != nullptr)
+      own->use = field.use;
+    else if ((field.models &= models) != 0)
+      fields.push_back(std::move(field));
+  }
 }
 
 }  // namespace table

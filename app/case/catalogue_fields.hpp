@@ -8,8 +8,7 @@ namespace orbearing::app {
 
 namespace catalogue_keys {
 // Those that are no members of a machine: values of members follow from them.
-inline constexpr const char *kDesignation = "bearing.designation", *kCatalogue = "bearing.catalogue",
-                            *kClass = "bearing.clearance_class", *kMaterial = "bearing.cage.material",
+inline constexpr const char *kCatalogue = "bearing.catalogue", *kMaterial = "bearing.cage.material",
                             *kPinClass = "bearing.fit.pin_class", *kPlanetClass = "bearing.fit.planet_class";
 }  // namespace catalogue_keys
 

@@ -84,7 +84,7 @@ const FieldValue* table_of_case(const ResolvedCase& in, const std::string& set) 
 }
 
 const catalogue::Entry* line_of(const ResolvedCase& in, const std::string& set) {
-  const std::string path = set + catalogue_keys::kDesignation;
+  const std::string path = set + keys().designation;
   return in.has(path) ? line_of(table_of_case(in, set), in.text(path)) : nullptr;
 }
 

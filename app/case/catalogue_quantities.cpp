@@ -20,7 +20,7 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
   if (const catalogue::Entry* line = line_of(in)) {
     const catalogue::Entry& entry = *line;
     const catalogue::Inside& inside = known_inside(entry);
-    const std::string whose = " of " + name_of(entry, in.text(catalogue_keys::kDesignation));
+    const std::string whose = " of " + name_of(entry, in.text(keys().designation));
     rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C" + whose});
     rows.push_back({"bearing.catalogue.dynamic_rating_inferred", inside.dynamic_rating, "N",
                     "C of ISO 281 by the inferred geometry"});
@@ -30,9 +30,9 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
     if (entry.fatigue_load_limit > 0.0)
       rows.push_back({"bearing.catalogue.fatigue_load_limit", entry.fatigue_load_limit, "N", "C_u" + whose});
   }
-  if (in.has(catalogue_keys::kClass)) {
+  if (in.has(keys().clearance_class)) {
     const catalogue::ClearanceRange range =
-        catalogue::clearance_range(family_of(in), class_of(in.choice(catalogue_keys::kClass)), *bore_of(in));
+        catalogue::clearance_range(family_of(in), class_of(in.choice(keys().clearance_class)), *bore_of(in));
     rows.push_back(
         {"bearing.clearance_class.least", per_micro * range.least, "um", "of bearings of this class"});
     rows.push_back(
@@ -93,7 +93,7 @@ std::optional<BearingSize> size_of(const ResolvedCase& in) {
     size.bore = entry->bore;
     size.outside = entry->outside;
     size.width = entry->width;
-    put_series(in.text(catalogue_keys::kDesignation), size);
+    put_series(in.text(keys().designation), size);
   } else if (has_all(in, {keys().bore, keys().outside_diameter, keys().width})) {
     size.bore = in.quantity(keys().bore);
     size.outside = in.quantity(keys().outside_diameter);
@@ -107,8 +107,8 @@ std::optional<BearingSize> size_of(const ResolvedCase& in) {
 std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path) {
   const std::string set = set_of(path);
   const catalogue::Entry* entry = line_of(resolved, set);
-  if (entry == nullptr || entry != catalogue::find(catalogue_of(resolved.value(path)),
-                                                   resolved.text(set + catalogue_keys::kDesignation)))
+  if (entry == nullptr ||
+      entry != catalogue::find(catalogue_of(resolved.value(path)), resolved.text(set + keys().designation)))
     return std::nullopt;
   return table_of(*entry);
 }

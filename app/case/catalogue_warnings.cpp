@@ -36,7 +36,7 @@ std::string inferred_warning(const std::string& path, const std::string& name,
 
 // "2Z (shields on both sides)": what is read behind the designation of the line.
 void add_suffixes(const ResolvedCase& in, const std::string& set, std::vector<std::string>& warnings) {
-  const std::string path = set + catalogue_keys::kDesignation;
+  const std::string path = set + keys().designation;
   const ReadDesignation read = read_designation(table_of_case(in, set), in.text(path));
   if (read.name.suffixes.empty()) return;
   std::vector<std::string> suffixes;
@@ -61,7 +61,7 @@ void add_suffixes(const ResolvedCase& in, const std::string& set, std::vector<st
 void add_other_cage(const ResolvedCase& in, const std::string& set, std::vector<std::string>& warnings) {
   const std::string path = set + catalogue_keys::kMaterial;
   if (!is_stated(in, path)) return;
-  const std::string& name = in.text(set + catalogue_keys::kDesignation);
+  const std::string& name = in.text(set + keys().designation);
   for (const catalogue::SuffixedName& reading : catalogue::suffixed_readings(name))
     for (const catalogue::Suffix* one : reading.suffixes)
       if (!one->cage.empty()) {
@@ -86,14 +86,14 @@ void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const 
         warnings.push_back(fmt::format(
             "{}: {} as stated is that of {} with {} rollers in a cage; {} rollers without a cage have {}. "
             "Leave it out unless it is meant",
-            path, in.given(path), name_of(entry, in.text(set + catalogue_keys::kDesignation)),
+            path, in.given(path), name_of(entry, in.text(set + keys().designation)),
             known_inside(entry).elements, in.integer(set + keys().rollers),
             newtons(with_rollers_instead(rating, known_inside(entry), in.integer(set + keys().rollers)))));
       continue;
     }
     warnings.push_back(fmt::format(
         "{}: {} as stated replaces {} of {}; its {} stay as inferred for the latter", path, in.given(path),
-        newtons(rating.value), name_of(entry, in.text(set + catalogue_keys::kDesignation)), elements));
+        newtons(rating.value), name_of(entry, in.text(set + keys().designation)), elements));
   }
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> stated_beside_designation(const ResolvedCase& resolved,
   std::vector<std::string> messages;
   for (const std::string& path : varied) {
     const std::string set = set_of(path);
-    if (path != set + catalogue_keys::kDesignation && path != set + catalogue_keys::kCatalogue) continue;
+    if (path != set + keys().designation && path != set + catalogue_keys::kCatalogue) continue;
     std::vector<std::string> kept;
     for (const std::string& one :
          {keys().dynamic_capacity, keys().static_capacity, keys().fatigue_load_limit,
@@ -129,7 +129,7 @@ void add_table_without_effect(const ResolvedCase& in, const std::string& set,
                               std::vector<std::string>& warnings) {
   const std::string path = set + catalogue_keys::kCatalogue;
   const FieldValue* table = table_of_case(in, set);
-  const std::string name = in.text(set + catalogue_keys::kDesignation);
+  const std::string name = in.text(set + keys().designation);
   if (table == nullptr || table->texts.empty() || catalogue::find(catalogue_of(*table), name) != nullptr)
     return;
   std::vector<std::string> names;
@@ -149,7 +149,7 @@ void add_table_without_effect(const ResolvedCase& in, const std::string& set,
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
-    if (input.field->path != catalogue_keys::kDesignation || !resolved.has(input.path)) continue;
+    if (input.field->path != keys().designation || !resolved.has(input.path)) continue;
     const std::string set = set_of(input.path);
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;

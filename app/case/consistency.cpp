@@ -11,7 +11,6 @@
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_checks.hpp"
-#include "app/case/catalogue_fields.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/drivetrain_reader.hpp"
 #include "app/case/input_keys.hpp"
@@ -61,8 +60,7 @@ void check_stated_with_type(CheckedCase& in) {
                       fmt::format("none is required, or bearing.type: cylindrical-roller{}", or_type));
   };
   for (const std::string& path :
-       {std::string(catalogue_keys::kDesignation), std::string(catalogue_keys::kClass),
-        keys().axial_positions, keys().scratched})
+       {keys().designation, keys().clearance_class, keys().axial_positions, keys().scratched})
     refuse(path, "");
   if (!tapered)
     for (const std::string& path : {keys().laminae, keys().profile_kind}) refuse(path, " or tapered-roller");

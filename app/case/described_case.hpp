@@ -66,6 +66,7 @@ class DescribedCase {
     const bool plain = facts.details.dimension.name.empty();
     member = plain ? in_.number(facts.path) : in_.quantity(facts.path);
   }
+  void read(std::string& member, const Facts& facts) { member = in_.text(facts.path); }
   void read(std::vector<double>& member, const Facts& facts) { member = in_.list(facts.path); }
   template <class Number, std::size_t n>
   void read(std::array<Number, n>& member, const Facts& facts) {

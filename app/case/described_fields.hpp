@@ -68,6 +68,9 @@ class DescribedFields {
   static void set_kind(Field& field, const std::optional<Value>& value, const described::Details& details) {
     set_kind(field, value.value_or(Value{}), details);
   }
+  static void set_kind(Field& field, const std::string&, const described::Details&) {
+    field.kind = Kind::text;
+  }
   static void set_kind(Field& field, const std::vector<double>&, const described::Details&) {
     field.kind = Kind::list;
     field.element = field.dimension.name.empty() ? Kind::number : Kind::quantity;

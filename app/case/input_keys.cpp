@@ -24,6 +24,8 @@ InputKeys::InputKeys() {
   with_keys_of<analysis::StatedSet>([this](const auto& of, const auto& key) {
     bearing_type = key(of.bearing_type);
     complement = key(of.complement);
+    designation = key(of.catalogue.designation);
+    clearance_class = key(of.catalogue.clearance_class);
     profile_kind = key(of.profile.kind);
     per_planet = key(of.planets.bearings_per_planet);
     clearance_state = key(of.planets.mounting.state);

@@ -9,12 +9,12 @@ struct InputKeys {
   InputKeys();
 
   // Of a bearing, its cage and its seats.
-  std::string bearing_type, complement, per_planet, rings, rollers, roller_diameter, roller_length, laminae,
-      profile_kind, balls, ball_diameter, contact_angle, pitch_diameter, radial_clearance, bore,
-      outside_diameter, width, cage_inner_diameter, cage_outer_diameter, cage_width, cage_density, guide_land,
-      clearance_state, inner_interference, outer_interference, inner_ring_temperature, outer_ring_temperature,
-      axial_positions, tilt, wind_up, rows_contact_angle, rows_arrangement, dynamic_capacity, static_capacity,
-      fatigue_load_limit;
+  std::string bearing_type, complement, designation, clearance_class, per_planet, rings, rollers,
+      roller_diameter, roller_length, laminae, profile_kind, balls, ball_diameter, contact_angle,
+      pitch_diameter, radial_clearance, bore, outside_diameter, width, cage_inner_diameter,
+      cage_outer_diameter, cage_width, cage_density, guide_land, clearance_state, inner_interference,
+      outer_interference, inner_ring_temperature, outer_ring_temperature, axial_positions, tilt, wind_up,
+      rows_contact_angle, rows_arrangement, dynamic_capacity, static_capacity, fatigue_load_limit;
   // Of its life and oil.
   std::string life_method, reliability, viscosity_ratio, contamination_factor, cleanliness, lubrication,
       reduction_factor, oil_grade, oil_viscosity_40, oil_viscosity_100, oil_temperature, oil_viscosity_index,

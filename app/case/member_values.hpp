@@ -20,9 +20,10 @@
 
 namespace orbearing::app {
 
-/// Numbers, switches and choices, one by one or in lists.
+/// Numbers, switches, choices and texts, one by one or in lists.
 template <class T>
-inline constexpr bool is_written = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+inline constexpr bool is_written =
+    std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>;
 template <class T>
 inline constexpr bool is_written<std::optional<T>> = is_written<T>;
 template <class T>
@@ -37,6 +38,7 @@ class ValueText {
 
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(double value) const { return fmt::format("{}{}", value, unit_); }
+  std::string operator()(const std::string& value) const { return value; }
   template <std::integral Count>
   std::string operator()(Count value) const {
     return fmt::format("{}", value);

@@ -129,7 +129,7 @@ Json field_schema(const Field& field) {
   if (!rule.empty()) description += fmt::format("; left out: {}", rule);
   schema["description"] = description;
   if (field.kind == Kind::quantity) schema["examples"] = {field.dimension.example};
-  if (field.path.ends_with(catalogue_keys::kDesignation)) schema["examples"] = built_in_designations();
+  if (field.path.ends_with(keys().designation)) schema["examples"] = built_in_designations();
   if (rule.empty() && !field.default_text.empty()) schema["default"] = default_value(field);
   if (field.numerical) schema["numerical"] = true;
   return schema;

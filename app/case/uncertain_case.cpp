@@ -14,10 +14,10 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_quantities.hpp"
 #include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/input_keys.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
@@ -140,7 +140,7 @@ class UncertainReader {
                 "one of normal, uniform, triangular is required");
       return;
     }
-    const FieldReading reading = read_field(*find_field(catalogue_keys::kClass), member.value);
+    const FieldReading reading = read_field(*find_field(keys().clearance_class), member.value);
     if (!reading.good) {
       mistakes_.push_back({member.value.location, path, reading.message});
       return;

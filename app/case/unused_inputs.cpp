@@ -7,7 +7,6 @@
 #include <map>
 
 #include "app/case/bearing_type.hpp"
-#include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_warnings.hpp"
 #include "app/case/drivetrain_analyses.hpp"
 #include "app/case/field_table.hpp"
@@ -413,7 +412,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, AnalysisId a
   }
   const std::vector<Input> inputs = resolved.inputs();
   if (std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
-        return input.field->path == catalogue_keys::kDesignation && resolved.has(input.path) &&
+        return input.field->path == keys().designation && resolved.has(input.path) &&
                use_status_in_row(resolved, input, analysis) == UseStatus::used;
       }))
     for (std::string& warning : inferred_warnings(resolved)) warnings.push_back(std::move(warning));

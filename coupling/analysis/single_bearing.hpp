@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/catalogue/catalogue_bearing.hpp"
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/film/graded_oil.hpp"
@@ -129,6 +130,7 @@ void describe(Visitor& visit, BearingOil& m) {
 struct LoadedBearing {
   bearing::equilibrium::RingLoad load;
   RingRotation rotation;
+  bearing::catalogue::CatalogueBearing catalogue;
   bearing::Bearing bearing;
   bearing::profile::StatedProfile profile;  // of rollers; none: that of `bearing`
   StatedCapacities capacities;
@@ -154,7 +156,7 @@ void describe(Visitor& visit, LoadedBearing& m) {
                  else
                    describe(visit, m.load);
                }),
-          part(m.rotation), part(m.bearing, [&] { describe_inside(visit, m.bearing); }),
+          part(m.rotation), part(m.catalogue), part(m.bearing, [&] { describe_inside(visit, m.bearing); }),
           part(m.profile,
                [&] {
                  if (m.bearing.has_rollers()) describe(visit, m.profile);

@@ -19,9 +19,6 @@ using Keys = mechanics::MemberKeys<Inputs>;
 using mechanics::Otherwise;
 using mechanics::Premise;
 
-/// By which a case names a bearing of a catalogue: then the boundary dimensions are known.
-constexpr const char* designation_key = "bearing.designation";
-
 const RingRotation& rotation(const BallSupport& in) {
   return in.rotation;
 }
@@ -177,7 +174,7 @@ std::vector<Conditional<BallsUnderLoad>> BallsUnderLoad::conditions() {
   using In = BallsUnderLoad;
   const In m;
   const Keys<In> key(m);
-  const Premise<In> sized{.on = {designation_key},
+  const Premise<In> sized{.on = {key(m.loaded.catalogue.designation)},
                           .holds = [](const In& in) { return in.loaded.size.has_value(); }};
   std::vector<Conditional<In>> all = conditions_of_balls(m, key);
   append({{.keys = {key(m.loaded.bearing.material.density)},
@@ -270,7 +267,7 @@ std::vector<Conditional<BallsInTime>> conditions_of_heat(const BallsInTime& m, c
        .premises = {is_heated(m, key)},
        .otherwise = Otherwise::not_modelled},
       {.keys = {key(of.outer.seat_diameter)},
-       .premises = {{.on = {designation_key, key(of.inner.seat_diameter)},
+       .premises = {{.on = {key(m.loaded.catalogue.designation), key(of.inner.seat_diameter)},
                      .holds = [](const In& in) { return in.loaded.bearing.inner.seat_diameter > 0.0; }}},
        .otherwise = Otherwise::not_modelled}};
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/catalogue/catalogue_bearing.hpp"
 #include "bearing/profile/stated_profile.hpp"
 #include "bearing/race_waves.hpp"
 #include "coupling/analysis/multi_stage.hpp"
@@ -34,6 +35,7 @@ struct StatedSet {
   double planet_bore_ratio = 0.7;    // [-]  of a planet without a bearing: bore over module x (teeth - 2.5)
   bearing::PlanetBearingType bearing_type = bearing::PlanetBearingType::cylindrical_roller;
   Complement complement = Complement::caged;
+  bearing::catalogue::CatalogueBearing catalogue;
   PlanetaryDrivetrain planets;              // bearings, seats and motion; its gears and drive are beside it
   bearing::profile::StatedProfile profile;  // of the rollers; none: that of the bearings of `planets`
   bearing::RaceForms forms;
@@ -52,7 +54,8 @@ void describe(Visitor& visit, StatedSet& m) {
   members(visit, m, part(m.teeth), part(m.second_planet), part(m.geometry),
           internal(m.planet_bore_ratio, "gearset.planet_bore_ratio"),
           internal(m.bearing_type, "bearing.type"), internal(m.complement, "bearing.complement"),
-          part(m.planets), part(m.profile), part(m.forms), part(m.rating), part(m.gears), part(m.carrier));
+          part(m.catalogue), part(m.planets), part(m.profile), part(m.forms), part(m.rating), part(m.gears),
+          part(m.carrier));
 }
 
 /// The set with the bore that its bearings fill, and its density.

@@ -78,6 +78,10 @@ class Change {
     value = names[static_cast<std::size_t>(own - names.begin() + 1) % names.size()].value;
     return true;
   }
+  static bool change(std::string& text) {
+    text = text == "NU 205" ? "NU 206" : "NU 205";
+    return true;
+  }
   template <class Value>
   static bool change(std::optional<Value>& value) {
     if (!value) value.emplace();
@@ -237,6 +241,21 @@ TEST(MachinesOfCases, OilsAreSet) {
   EXPECT_EQ(drivetrain_of(changed(stated, reducer)).single().rating.oil.stated, oil);
   oil.viscosity_100 = 300e-6;
   EXPECT_REFUSED(BadInput, "machines no oil", changed(stated, reducer));
+}
+
+// Its dimensions and its clearance follow.
+TEST(MachinesOfCases, BearingsOfTheCatalogueAreSet) {
+  const Case stated = parsed("reducer_nu204", {"bearing.per_planet=1"});
+  PlanetaryDrivetrain reducer = drivetrain_of(stated);
+  bearing::catalogue::CatalogueBearing& bearing = reducer.sets.front().set.catalogue;
+  ASSERT_EQ(bearing.designation, "NU 204");
+  bearing = {.designation = "NU 205", .clearance_class = bearing::catalogue::ClearanceClass::c3};
+  const Case larger = changed(stated, reducer);
+  EXPECT_EQ(larger.resolved(),
+            stated.with("bearing.designation", "NU 205").with("bearing.clearance_class", "C3").resolved());
+  EXPECT_EQ(drivetrain_of(larger).single().planets.bearing.inner.seat_diameter, 25e-3);
+  bearing.designation = "NU 99";
+  EXPECT_REFUSED(BadInput, "machines no designation", changed(stated, reducer));
 }
 
 // A viscosity beside a grade would have no effect.
