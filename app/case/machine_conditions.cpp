@@ -25,8 +25,10 @@ Condition condition_of(const mechanics::Premise<Inputs>& premise) {
 template <class Row>
 void add_uses(std::string_view path, std::vector<ConditionalUse>& found) {
   using Inputs = InputsOfRow<Row>;
-  if constexpr (requires { Inputs::conditions(); })
-    for (const mechanics::Conditional<Inputs>& one : Inputs::conditions()) {
+  if constexpr (requires { Inputs::conditions(); }) {
+    // Made once, since all inputs of a machine are asked for.
+    static const std::vector<mechanics::Conditional<Inputs>> conditions = Inputs::conditions();
+    for (const mechanics::Conditional<Inputs>& one : conditions) {
       if (std::ranges::none_of(one.keys, [&](const std::string& key) { return path.starts_with(key); }))
         continue;
       ConditionalUse& use = found.emplace_back();
@@ -34,6 +36,7 @@ void add_uses(std::string_view path, std::vector<ConditionalUse>& found) {
       use.beside_row = one.beside_row;
       for (const auto& premise : one.premises) use.conditions.push_back(condition_of<Row>(premise));
     }
+  }
 }
 
 }  // namespace
