@@ -17,6 +17,14 @@ class RowsWithout {
   void operator()(Member& member, const described::Facts& facts) {
     if (!left_out_.hold(&member)) visit_(member, facts);
   }
+  template <class Self, class Variant>
+  void choose(Self& self, Variant& member, const described::Facts& facts) {
+    if (!left_out_.hold(&member)) visit_.choose(self, member, facts);
+  }
+  template <class Self, class Variant>
+  void choose_by_inputs(Self& self, Variant& member) {
+    if (!left_out_.hold(&member)) visit_.choose_by_inputs(self, member);
+  }
 
  private:
   Visitor& visit_;
@@ -34,6 +42,14 @@ class RowsOnly {
   void operator()(Member& member, const described::Facts& facts) {
     if (taken_.hold(&member)) visit_(member, facts);
   }
+  template <class Self, class Variant>
+  void choose(Self& self, Variant& member, const described::Facts& facts) {
+    if (taken_.hold(&member)) visit_.choose(self, member, facts);
+  }
+  template <class Self, class Variant>
+  void choose_by_inputs(Self& self, Variant& member) {
+    if (taken_.hold(&member)) visit_.choose_by_inputs(self, member);
+  }
 
  private:
   Visitor& visit_;
@@ -50,6 +66,15 @@ class RowsNotRequired {
   void operator()(Member& member, described::Facts facts) {
     facts.details.may_be_absent = true;
     visit_(member, facts);
+  }
+  template <class Self, class Variant>
+  void choose(Self& self, Variant& member, described::Facts facts) {
+    facts.details.may_be_absent = true;
+    visit_.choose(self, member, facts);
+  }
+  template <class Self, class Variant>
+  void choose_by_inputs(Self& self, Variant& member) {
+    visit_.choose_by_inputs(self, member);
   }
 
  private:

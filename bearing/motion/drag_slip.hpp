@@ -33,7 +33,7 @@ double drag_over_traction(const BearingModel& model, const LoadsOfOrbit& loads);
 ///
 /// The cage is where the film of its land, and touch-down, hold the forces of all bars and its weight in the
 /// carrier's field; drag, the shear of the land and the bars give the moment. Left out: clearance of the
-/// pockets, and loads that vary by vibration or impacts. Requires a cage and regularised Coulomb traction.
+/// pockets, and loads that vary by vibration or impacts. Requires a cage and traction of the surfaces.
 /// Docs: docs/slip_and_branches.md, with its error.
 std::optional<double> drag_slip(const BearingModel& model, const LoadsOfOrbit& loads);
 

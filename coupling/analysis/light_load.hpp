@@ -16,7 +16,7 @@ MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const Drivetrai
                           const std::vector<BearingDuty>& duties);
 
 /// Drag over traction [-] (bearing/motion/drag_slip.hpp) under the loads at rest; none where traction is not
-/// that of regularised Coulomb only, or the bearing at rest has no equilibrium.
+/// that of the surfaces only, or the bearing at rest has no equilibrium.
 std::optional<double> drag_over_traction(const PlanetaryDrivetrain& drivetrain,
                                          const DrivetrainGeometry& geometry, const BearingDuty& duty,
                                          const std::optional<bearing::motion::WindowStatistics>& at_rest);

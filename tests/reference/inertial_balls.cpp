@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace orbearing::reference::inertial_balls {
 
@@ -55,15 +56,20 @@ Load load_of(double stiffness, double damping, double approach, double closing) 
 // Coefficient of friction at one point, by the size of the sliding there.
 double friction_coefficient(const bearing::ShearParameters& law, double sliding, double pressure,
                             double film) {
-  if (law.law == bearing::TractionLaw::regularised_coulomb)
-    return law.friction * sliding / std::hypot(sliding, law.sliding_scale);
   const double viscosity =
       law.viscosity * std::exp(std::min(law.pressure_viscosity * pressure, law.largest_exponent));
   const double limit = law.limiting_friction * pressure;  // [Pa]
-  double stress = viscosity * sliding / film;
-  if (law.law == bearing::TractionLaw::ree_eyring)
-    stress = law.eyring_stress * std::asinh(stress / law.eyring_stress);
-  return law.limiting_friction * -std::expm1(-stress / limit);
+  const double newtonian = viscosity * sliding / film;
+  const auto limited = [&](double stress) { return law.limiting_friction * -std::expm1(-stress / limit); };
+  switch (law.law) {
+    case bearing::TractionLaw::regularised_coulomb:
+      return law.friction * sliding / std::hypot(sliding, law.sliding_scale);
+    case bearing::TractionLaw::limiting_shear:
+      return limited(newtonian);
+    case bearing::TractionLaw::ree_eyring:
+      return limited(law.eyring_stress * std::asinh(newtonian / law.eyring_stress));
+  }
+  throw std::invalid_argument("no such law of friction");
 }
 
 // Load that the squeeze film adds: pressure (c - a x)/h^2 over the plane where it is positive, less the load
