@@ -10,6 +10,7 @@
 
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
+#include "orbearing/files.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::durable_file_test {

@@ -18,6 +18,7 @@
 
 #include "app/results/durable_file.hpp"
 #include "app/results/sweep_run.hpp"
+#include "orbearing/files.hpp"
 
 namespace orbearing::app::fake_sweep {
 

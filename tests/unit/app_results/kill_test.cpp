@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "app/results/sweep_run.hpp"
+#include "orbearing/files.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::kill_test {
