@@ -38,10 +38,11 @@ struct Folder {
 Json swept(const fs::path& folder, const Json& more = Json::object()) {
   Json options{{"output", folder.string()}, {"grid_only", true}};
   options.update(more);
-  const Answer found = answer({.command = "sweep",
-                               .case_text = case_template("industrial").text,
-                               .settings = {"sweep.points=4", "case.name=four speeds"},
-                               .options = options.dump()});
+  const Answer found = answer(
+      {.command = "sweep",
+       .case_text = case_template("industrial").text,
+       .settings = {"sweep={input.speed: [500 rpm, 1000 rpm, 2000 rpm, 3000 rpm]}", "name=four speeds"},
+       .options = options.dump()});
   return Json::parse(found.result);
 }
 
@@ -49,6 +50,7 @@ TEST(Folders, OfASweepHaveItsPointsAndResult) {
   const Folder folder;
   const Json printed = swept(folder.path / "results");
   const ResultsInBrief brief = results_in_brief(folder.path / "results");
+  EXPECT_EQ(brief.case_name, "four speeds");
   EXPECT_EQ(brief.fidelity, "quasi-static");
   EXPECT_EQ(brief.points, 4U);
   EXPECT_EQ(brief.of, 4U);
