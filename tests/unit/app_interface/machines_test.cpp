@@ -199,6 +199,8 @@ TEST(MachinesOfCases, WhatNoInputStatesIsRefused) {
   EXPECT_REFUSED(BadInput, "machines profile", change_set(stated, [](analysis::StatedSet& set) {
                    set.planets.bearing.rollers().profile = bearing::profile::CircularCrown{0.012, 1e-6};
                  }));
+  EXPECT_REFUSED(BadInput, "machines no key",
+                 change_set(stated, [](analysis::StatedSet& set) { set.planets.uneven_planets = true; }));
   EXPECT_REFUSED(BadInput, "machines twice", change_set(stated, [](analysis::StatedSet& set) {
                    set.planets.bearing.material.youngs_modulus = 200e9;
                    set.gears.material.youngs_modulus = 190e9;
