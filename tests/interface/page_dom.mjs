@@ -242,7 +242,7 @@ Object.assign(globalThis, {
   location: {search: fixture.search ?? '?token=secret', hash: fixture.hash ?? ''},
   history: {replaceState: (_, __, address) => {
     kept.address = address;
-    tellLog('address', address.replace(/^.*\/app\/page\//, ''));
+    tellLog('address', address.replace(/^.*\/page\//, ''));
   }},
   addEventListener: (name, act) => (ofWindow[name] ??= []).push(act),
   removeEventListener: () => {},
@@ -282,7 +282,7 @@ globalThis.CustomEvent ??= class extends Event {
 if (recorded) crypto.randomUUID = () => 'a page';
 Object.defineProperty(globalThis, 'navigator', {value: {
   sendBeacon: (url) => {
-    tellLog('beacon', String(url).replace(/^.*\/app\/page\//, ''));
+    tellLog('beacon', String(url).replace(/^.*\/page\//, ''));
     return true;
   },
   clipboard: {writeText: async (text) => kept.copied.push(text)}
@@ -331,7 +331,7 @@ const asLogged = (body) => {
 const schemaOf = (which) => fixture.given_schemas?.[which] ?? JSON.parse(fs.readFileSync(`${fixture.schemas}/${which}.schema.json`, 'utf8'));
 const jobs = [];
 globalThis.fetch = async (url, init = {}) => {
-  const path = String(url).replace(/^.*\/app\/page\//, ''), body = init.body ? JSON.parse(init.body) : undefined;
+  const path = String(url).replace(/^.*\/page\//, ''), body = init.body ? JSON.parse(init.body) : undefined;
   const json = (answer) => {
     if (answer === 'no JSON') throw new SyntaxError(answer);
     return answer;
@@ -385,7 +385,7 @@ globalThis.EventSource = class extends EventTarget {
   constructor(url) {
     super();
     this.url = String(url);
-    tellLog('events', this.url.replace(/^.*\/app\/page\//, ''));
+    tellLog('events', this.url.replace(/^.*\/page\//, ''));
     const job = jobs[Number(/jobs\/(\d+)\//.exec(this.url)[1]) - 1];
     job.source = this;
   }
