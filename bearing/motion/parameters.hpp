@@ -141,7 +141,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .reason = "a tenth of critical on a small roller at 1 kN"}),
       input(m.traction, "traction.law", "friction in the race contacts over sliding speed",
             {.reason = "the model of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"}),
-      input(m.friction, "traction.friction", "largest friction coefficient of the laws of dry friction",
+      input(m.friction, "traction.friction", "largest friction coefficient of the regularised Coulomb law",
             {.range = {0.0, 1.0}, .reason = "mineral oil at moderate pressure", .where = coulomb}),
       input(m.sliding_scale, "traction.sliding_scale", "sliding speed over which friction builds up",
             {.dimension = dimension::speed,
