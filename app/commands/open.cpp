@@ -10,9 +10,9 @@
 #include "app/commands/open.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
-#include "app/results/durable_file.hpp"
 #include "app/standard_error.hpp"
 #include "mechanics/cancellation.hpp"
+#include "orbearing/files.hpp"
 #include "page/page_server.hpp"
 
 namespace orbearing::app {
@@ -36,7 +36,7 @@ class LeadingFile {
   fs::path write(const std::string& address) {
     folder_ = page::temporary_folder();  // which its owner alone can enter
     const fs::path file = folder_ / "open.html";
-    write_aside_and_rename(file, page::leading_to(address));
+    write_file(file, page::leading_to(address));
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
     return file;
   }

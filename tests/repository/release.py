@@ -1,8 +1,10 @@
-"""What a release is made of agrees with the sources: one version everywhere, a changelog in its form, packages with the
+"""What a release is made of agrees with the sources: one version and one date everywhere, a changelog in its form, packages with the
 libraries that the build requires, a paper with the counts of the last validation, and names that stay.
 
     release.py --record      writes the names that are there into stable_names.txt; a name that is gone needs the next major version
 """
+import datetime
+import email.utils
 import json
 import os
 import pathlib
@@ -76,6 +78,20 @@ class Release(unittest.TestCase):
         }
         self.assertEqual(stated, dict.fromkeys(stated, version()))
         self.assertEqual(version().partition(".")[0], re.search(r"^Package: liborbearing([0-9.]+)$", text_of("tools/packaging/debian/control"), re.M)[1])
+
+    def test_every_file_states_the_date_of_the_release(self):
+        """That of the changelog; a version that is not yet released has none to compare."""
+        heading = re.search(r"^## [0-9.]+, (.*)$", text_of("CHANGELOG.md"), re.M)[1]
+        if heading == "not yet released":
+            return
+        debian = re.search(r"^ -- .*>  (.*)$", text_of("tools/packaging/debian/changelog"), re.M)[1]
+        stated = {
+            "CITATION.cff": re.search(r"^date-released: (\S+)$", text_of("CITATION.cff"), re.M)[1],
+            "codemeta.json": json.loads(text_of("codemeta.json"))["datePublished"],
+            ".zenodo.json": json.loads(text_of(".zenodo.json"))["publication_date"],
+            "debian": email.utils.parsedate_to_datetime(debian).date().isoformat(),
+        }
+        self.assertEqual(stated, dict.fromkeys(stated, datetime.date.fromisoformat(heading).isoformat()))
 
     def test_the_changelog_has_one_line_a_change(self):
         """Newest version first; in each version Added, Changed, Fixed in this order, and nothing else."""
