@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/case/case_file.hpp"
-#include "app/case/static_case.hpp"
 #include "bearing/motion/balls/published_form.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"
+#include "coupling/analysis/ball_run.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/balls_in_time.hpp"
+#include "orbearing/machines.hpp"
 
 namespace orbearing::bench {
 
@@ -21,12 +21,12 @@ namespace {
 using bearing::balls::BallBearing;
 using Json = nlohmann::ordered_json;
 
-constexpr double kSettling = 0.1;               // [s]
-constexpr double kDuration = 0.09;              // [s]  two revolutions of the cage
-constexpr long kSamples = 450;                  // steps between them are as long as without them
-constexpr double kBallReferenceStep = 1e-7;     // [s]
+constexpr double kSettling = 0.1;                 // [s]
+constexpr double kDuration = 0.09;                // [s]  two revolutions of the cage
+constexpr long kSamples = 450;                    // steps between them are as long as without them
+constexpr double kBallReferenceStep = 1e-7;       // [s]
 constexpr double kPublishedReferenceStep = 5e-7;  // [s]
-constexpr double kOtherStep = 0.75e-7;          // [s]  another path: what chance does
+constexpr double kOtherStep = 0.75e-7;            // [s]  another path: what chance does
 constexpr int kPairs = 5;
 
 enum class BallMethod { ours, dopri5, rk4, published };
@@ -68,10 +68,10 @@ Json to_json(const BallErrors& e) {
 
 class BallContest {
  public:
-  explicit BallContest(const app::ResolvedCase& in)
-      : bearing_(app::bearing_of(in)),
-        options_(app::ball_run_options_of(in)),
-        model_(bearing::balls::ball_numbers(bearing_, app::ball_motion_of(in)), app::ball_duty_of(in)) {
+  explicit BallContest(const MovingBallBearing& in)
+      : bearing_(analysis::rotating_bearing(in.loaded)),
+        options_(in.simulation.options),
+        model_(bearing::balls::ball_numbers(bearing_, in.simulation.motion), analysis::ball_duty(in)) {
     start_ = bearing::balls::start_state(bearing_, model_, 0.0);
     start_ = run(BallMethod::ours, options_.length_error, false, kSettling).state;
   }
@@ -180,9 +180,10 @@ std::optional<double> loosest(BallContest& contest, BallMethod method, const Bal
 }  // namespace
 
 void put_balls(double roller_real_time, int rollers, Json& out) {
-  BallContest contest(
-      app::read_case(ORBEARING_SOURCE_DIR "/cases/deep_groove_motor/case.yaml",
-                     {"operation.shaft_speed=4000 rpm", "load.radial=500 N", "simulation.start=rolling"}));
+  const Case motor =
+      Case::read(ORBEARING_SOURCE_DIR "/cases/deep_groove_motor/case.yaml",
+                 {"operation.shaft_speed=4000 rpm", "load.radial=500 N", "simulation.start=rolling"});
+  BallContest contest(std::get<MovingBallBearing>(machine_of(motor)));
   const BallFigures reference = contest.run(BallMethod::rk4, kBallReferenceStep, true);
   out["ball_errors"] =
       to_json(errors(contest.run(BallMethod::ours, contest.length_error(), true), reference));

@@ -61,7 +61,8 @@ double largest_pressure(const bearing::Bearing& bearing, const system::BallMeans
                   point_pressure(row.contact(bearing::Race::outer), means.outer_load_max).pressure);
 }
 
-// The load acts on the inner ring, the radial one along x; with an acceleration the ring starts from rest.
+}  // namespace
+
 bearing::balls::BallDuty ball_duty(const BallsInTime& in) {
   using bearing::balls::RingDrive;
   const double speed = in.loaded.rotation.shaft_speed, acceleration = in.simulation.shaft_acceleration;
@@ -74,8 +75,6 @@ bearing::balls::BallDuty ball_duty(const BallsInTime& in) {
   duty.on_inner = {{load.radial, 0.0, load.axial, -load.moment, -load.moment_across}};
   return duty;
 }
-
-}  // namespace
 
 BallRun run_of_balls(const BallsInTime& in, const std::function<void(double)>& progress) {
   const bearing::Bearing bearing = rotating_bearing(in.loaded);

@@ -39,6 +39,10 @@ struct BallRun {
   }
 };
 
+/// Speeds of the rings, and the load on the inner one, its radial part along x. With an acceleration of the
+/// shaft the inner ring starts from rest.
+bearing::balls::BallDuty ball_duty(const BallsInTime& in);
+
 void describe(described::Record& record, const BallRun& result);
 
 /// `progress` gets the share done [-], if any. Throws NoResult where the run ends early.
