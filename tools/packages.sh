@@ -20,7 +20,6 @@ libnetcdf-dev: result files
 libzip-dev: archives of FMUs
 libcpp-httplib-dev: server of the page (orbearing open)
 libpugixml-dev: model descriptions of FMUs
-g++-mingw-w64-x86-64-posix: Windows library inside FMUs
 '
 
 report_packages='
@@ -28,10 +27,18 @@ python3: reports
 python3-numpy: reports
 python3-matplotlib: figures of the reports
 python3-netcdf4: reports, and tests that open result files as users do
+'
+
+# What a first picture does not need.
+more_packages='
 weasyprint: reports as PDF
 python3-scipy: typical conditions of an operating record; samples of studies
 python3-openturns: samples and polynomial chaos of uncertain lives
 python3-xarray: samples of uncertain lives as a file
+'
+
+windows_packages='
+g++-mingw-w64-x86-64-posix: Windows library inside FMUs (orbearing fmu --windows)
 '
 
 test_packages='

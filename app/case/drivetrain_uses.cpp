@@ -189,6 +189,8 @@ class UseRules {
          gears_.sun.mass, gears_.sun.support_stiffness, gears_.ring.mass, gears_.ring.support_stiffness,
          gears_.carrier.mass, gears_.carrier.support_stiffness, gears_.carrier_plate_ratio,
          gears_.planet.mass, gears_.backlash, gears_.separation, gears_.sun_error, gears_.ring_error);
+  const Keys oil_inputs_ = of(planets_.dynamics.drag.oil_density, planets_.dynamics.lubricant.viscosity,
+                              planets_.dynamics.lubricant.pressure_viscosity);
   const Keys relief_ = of(teeth_.flanks.relief_length, teeth_.flanks.relief_form);
   /// The race of the planet, and with it its mass: the clearance of a bearing on its seats, too.
   const Keys race_of_planet_ =
@@ -323,6 +325,7 @@ Use UseRules::with_stiffness(const Use& use, std::string_view path) const {
 // Lives include films; elsewhere the oil has an effect where a film takes part in the approach, or where the
 // life by its cleanliness depends on its viscosity.
 Use UseRules::with_oil(const Use& use, std::string_view path) const {
+  if (!is_among(oil_inputs_, path)) return use;
   std::vector<Condition> viscosity_makes_kappa{
       where_given({key_(life_.cleanliness), key_(life_.contamination_factor)}),
       where_absent(key_(life_.viscosity_ratio)), where_absent(key_(oil_.kinematic_viscosity))};
@@ -336,7 +339,6 @@ Use UseRules::with_oil(const Use& use, std::string_view path) const {
         .used_too(with_film_alone, {grade, filmed()})
         .used_too(quasi_static | crown, viscosity_makes_kappa);
   }
-  if (path != viscosity_ && path != key_(planets_.dynamics.lubricant.pressure_viscosity)) return use;
   Use oil = use.used_only(with_film_alone, {filmed()});
   if (path == viscosity_) oil = oil.used_too(crown, viscosity_makes_kappa);
   return oil.when(no_grade);
@@ -374,12 +376,12 @@ Use UseRules::with_rotating_carrier(const Use& use) const {
 // A carrier that is held pulls on nothing.
 Use UseRules::with_carrier(const Use& use, std::string_view path) const {
   if (is_among(frame_, path)) return with_rotating_carrier(use);
+  const bool of_cage = is_among(cage_sizes_, path) || is_among(motion_of_cage_, path),
+             of_rim = is_among(rim_sizes_, path);
+  if (!of_cage && !of_rim && !is_among(of_planet_, path)) return use;
   const std::string rotating =
       "where the carrier rotates and " + key_(inertia_.carrier_centrifugal) + " is true";
-  if (is_among(cage_sizes_, path) || is_among(motion_of_cage_, path))
-    return use.limited(at_equilibrium_ | springs_, {where_true(carrier_pulls, rotating)});
-  const bool of_rim = is_among(rim_sizes_, path);
-  if (!of_rim && !is_among(of_planet_, path)) return use;
+  if (of_cage) return use.limited(at_equilibrium_ | springs_, {where_true(carrier_pulls, rotating)});
   const Use as_mass =
       use.limited(at_equilibrium_,
                   {where_true(planet_counts_at_rest,

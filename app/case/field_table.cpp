@@ -59,11 +59,13 @@ std::vector<Field> grouped(std::vector<Field> fields) {
   std::map<std::string, std::size_t> first_seen;
   for (const auto& [block, keys] : written_first)
     for (const std::string_view key : keys) block_order(std::string(block) + std::string(key), first_seen);
-  std::map<std::string, BlockOrder> order;
-  for (const Field& field : fields) order[field.path] = block_order(field.path, first_seen);
-  std::stable_sort(fields.begin(), fields.end(),
-                   [&](const Field& a, const Field& b) { return order[a.path] < order[b.path]; });
-  return fields;
+  std::vector<std::pair<BlockOrder, Field*>> order;
+  for (Field& field : fields) order.emplace_back(block_order(field.path, first_seen), &field);
+  std::ranges::stable_sort(order, {}, &std::pair<BlockOrder, Field*>::first);
+  std::vector<Field> sorted;
+  sorted.reserve(fields.size());
+  for (const auto& [place, field] : order) sorted.push_back(std::move(*field));
+  return sorted;
 }
 
 // Models whose cases are no types.

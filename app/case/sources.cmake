@@ -14,6 +14,7 @@ set(ORBEARING_CASE_SOURCES
   case/case_shape.cpp
   case/changed_case.cpp
   case/check_table.cpp
+  case/common_units.cpp
   case/consistency.cpp
   case/defect_case.cpp
   case/derived_defaults.cpp

@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include "app/case/common_units.hpp"
 #include "orbearing/text.hpp"
 
 namespace orbearing::app {
@@ -266,6 +267,14 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
   return round_conversion(cv_convert_double(converter.get(), 1.0), cv_convert_double(inverse.get(), 1.0));
 }
 
+std::optional<Conversion> common_conversion(std::string_view unit, std::string_view target) {
+  for (const CommonUnit& one : common_units()) {
+    if (one.unit == unit && one.si == target) return round_conversion(one.factor, one.inverse);
+    if (one.unit == target && one.si == unit) return round_conversion(one.inverse, one.factor);
+  }
+  return std::nullopt;
+}
+
 Reading<double> converted(double value, const Conversion& conversion) {
   if (!conversion.fault.empty()) return fault(conversion.fault);
   const double result = value * conversion.factor / conversion.divisor;
@@ -308,10 +317,16 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   return {WrittenQuantity{value, std::string(trim(rest))}, {}};
 }
 
-// A study converts the same few units in every variant: those that are known are kept, each thread its own.
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit) {
   unit = meant_unit(unit, target_unit);
   if (unit == target_unit) return {value, {}};
+  if (const std::optional<Conversion> common = common_conversion(unit, target_unit))
+    return converted(value, *common);
+  return convert_by_library(value, unit, target_unit);
+}
+
+// A study converts the same few units in every variant: those that are known are kept, each thread its own.
+Reading<double> convert_by_library(double value, std::string_view unit, std::string_view target_unit) {
   if (auto kelvin = fault_of_kelvin(value, unit, target_unit)) return fault(std::move(*kelvin));
   thread_local std::map<std::pair<std::string, std::string>, Conversion> known;
   std::pair<std::string, std::string> units(unit, target_unit);

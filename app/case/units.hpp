@@ -35,6 +35,9 @@ Reading<WrittenQuantity> split_quantity(std::string_view text);
 /// (Hz) for radians. Equal unit texts leave the bits of the value alone. May be called from several threads.
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit);
 
+/// The same without the table of common units, each of which must give the same bits.
+Reading<double> convert_by_library(double value, std::string_view unit, std::string_view target_unit);
+
 /// Reads "150 kW" as SI [dimension.si]. A bare number is refused, with the remedy.
 Reading<double> read_quantity(std::string_view text, const Dimension& dimension);
 

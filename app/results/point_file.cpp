@@ -1,8 +1,6 @@
 #include "app/results/point_file.hpp"
 
 #include <fmt/format.h>
-#include <netcdf.h>
-#include <netcdf_mem.h>
 #include <netcdf_meta.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <memory>
 
 #include "app/errors.hpp"
+#include "app/results/netcdf_library.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -23,17 +22,18 @@ constexpr int file_format = NC_HAS_HDF5 ? NC_NETCDF4 : NC_64BIT_OFFSET;
 
 void check(int status) {
   if (status != NC_NOERR)
-    throw ComputationFailed(fmt::format("point file: the netCDF library says: {}", nc_strerror(status)));
+    throw ComputationFailed(
+        fmt::format("point file: the netCDF library says: {}", netcdf().strerror(status)));
 }
 
 /// A file in memory, closed without result unless `bytes` was called.
 class MemoryFile {
  public:
-  MemoryFile() { check(nc_create_mem("point", file_format, first_bytes, &number_)); }
+  MemoryFile() { check(netcdf().create_mem("point", file_format, first_bytes, &number_)); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() {
-    if (open_) nc_abort(number_);
+    if (open_) netcdf().abort(number_);
   }
 
   int number() const { return number_; }
@@ -41,7 +41,7 @@ class MemoryFile {
   std::string bytes() {
     NC_memio memory{};
     open_ = false;
-    check(nc_close_memio(number_, &memory));
+    check(netcdf().close_memio(number_, &memory));
     const std::unique_ptr<void, decltype(&std::free)> owned(memory.memory, &std::free);
     return {static_cast<const char*>(memory.memory), memory.size};
   }
@@ -52,17 +52,18 @@ class MemoryFile {
 };
 
 void put_text(int file, int variable, const char* name, const std::string& text) {
-  check(nc_put_att_text(file, variable, name, text.size(), text.c_str()));
+  check(netcdf().put_att_text(file, variable, name, text.size(), text.c_str()));
 }
 
 int define(int file, const NamedArray& array, const std::map<std::string, int>& dimensions) {
   std::vector<int> ids;
   for (const std::string& name : array.dimensions) ids.push_back(dimensions.at(name));
   int variable = 0;
-  check(nc_def_var(file, array.name.c_str(), NC_DOUBLE, static_cast<int>(ids.size()), ids.data(), &variable));
-  check(nc_def_var_fill(file, variable, NC_FILL, &not_given));
+  check(netcdf().def_var(file, array.name.c_str(), NC_DOUBLE, static_cast<int>(ids.size()), ids.data(),
+                         &variable));
+  check(netcdf().def_var_fill(file, variable, NC_FILL, &not_given));
   if (NC_HAS_HDF5 && array.values.size() >= compressed_from)
-    check(nc_def_var_deflate(file, variable, 1, 1, 1));
+    check(netcdf().def_var_deflate(file, variable, 1, 1, 1));
   put_text(file, variable, "units", array.units);
   put_text(file, variable, "long_name", array.meaning);
   return variable;
@@ -130,31 +131,32 @@ std::string netcdf_bytes(const PointContent& content) {
   MemoryFile file;
   std::map<std::string, int> dimensions;
   for (const NamedDimension& dimension : content.dimensions)
-    check(nc_def_dim(file.number(), dimension.name.c_str(), dimension.size, &dimensions[dimension.name]));
+    check(
+        netcdf().def_dim(file.number(), dimension.name.c_str(), dimension.size, &dimensions[dimension.name]));
   std::vector<int> variables;
   for (const NamedArray& array : content.arrays)
     variables.push_back(define(file.number(), array, dimensions));
   for (const auto& [name, text] : content.attributes) put_text(file.number(), NC_GLOBAL, name.c_str(), text);
-  check(nc_enddef(file.number()));
+  check(netcdf().enddef(file.number()));
   for (std::size_t i = 0; i < variables.size(); ++i)
-    check(nc_put_var_double(file.number(), variables[i], content.arrays[i].values.data()));
+    check(netcdf().put_var_double(file.number(), variables[i], content.arrays[i].values.data()));
   return file.bytes();
 }
 
 std::vector<double> read_final_state(const std::filesystem::path& file) {
   int number = 0;
-  if (nc_open(file.c_str(), NC_NOWRITE, &number) != NC_NOERR) return {};
+  if (netcdf().open(file.c_str(), NC_NOWRITE, &number) != NC_NOERR) return {};
   int variable = 0;
   int dimension = 0;
   std::size_t size = 0;
   std::vector<double> state;
-  if (nc_inq_varid(number, analysis::kFinalState, &variable) == NC_NOERR &&
-      nc_inq_vardimid(number, variable, &dimension) == NC_NOERR &&
-      nc_inq_dimlen(number, dimension, &size) == NC_NOERR) {
+  if (netcdf().inq_varid(number, analysis::kFinalState, &variable) == NC_NOERR &&
+      netcdf().inq_vardimid(number, variable, &dimension) == NC_NOERR &&
+      netcdf().inq_dimlen(number, dimension, &size) == NC_NOERR) {
     state.resize(size);
-    if (nc_get_var_double(number, variable, state.data()) != NC_NOERR) state.clear();
+    if (netcdf().get_var_double(number, variable, state.data()) != NC_NOERR) state.clear();
   }
-  nc_close(number);
+  netcdf().close(number);
   return state;
 }
 

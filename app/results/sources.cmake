@@ -1,4 +1,4 @@
-# Sources of app/results, relative to app/. They need netcdf, fmt, nlohmann_json and, through coupling, TBB.
+# Sources of app/results, relative to app/. They need netcdf (when they run), fmt, nlohmann_json and, through coupling, TBB.
 set(ORBEARING_RESULTS_SOURCES
   results/durable_file.cpp
   results/life_table.cpp
@@ -6,6 +6,7 @@ set(ORBEARING_RESULTS_SOURCES
   results/manifest_header.cpp
   results/merge.cpp
   results/motion_summary.cpp
+  results/netcdf_library.cpp
   results/point_file.cpp
   results/progress.cpp
   results/record_arrays.cpp

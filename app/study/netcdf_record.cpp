@@ -1,12 +1,12 @@
 // Records over time in netCDF.
 #include <fmt/format.h>
-#include <netcdf.h>
 #include <netcdf_meta.h>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
+#include "app/results/netcdf_library.hpp"
 #include "app/study/record_file.hpp"
 
 namespace orbearing::app {
@@ -25,20 +25,20 @@ constexpr const char* readable_file =
 class NetcdfFile {
  public:
   explicit NetcdfFile(const fs::path& file) : file_(file) {
-    if (nc_open(file.c_str(), NC_NOWRITE, &number_) != NC_NOERR)
+    if (netcdf().open(file.c_str(), NC_NOWRITE, &number_) != NC_NOERR)
       refuse_record(file.string(), "a netCDF file that cannot be read", readable_file);
   }
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
-  ~NetcdfFile() { nc_close(number_); }
+  ~NetcdfFile() { netcdf().close(number_); }
 
   std::vector<ColumnHead> heads() const {
     int count = 0;
-    nc_inq_nvars(number_, &count);
+    netcdf().inq_nvars(number_, &count);
     std::vector<ColumnHead> heads;
     for (int variable = 0; variable < count; ++variable) {
       std::string name(NC_MAX_NAME + 1, '\0');
-      nc_inq_varname(number_, variable, name.data());
+      netcdf().inq_varname(number_, variable, name.data());
       const std::string unit = units(variable);  // "seconds since 2026-01-01" counts seconds
       heads.push_back({name.substr(0, name.find('\0')), unit.substr(0, unit.find(" since "))});
     }
@@ -48,14 +48,14 @@ class NetcdfFile {
   std::vector<double> read(int variable, const std::string& name, double factor) const {
     int dimensions = 0, dimension = 0;
     const std::string position = fmt::format("{}: {}", file_.string(), name);
-    nc_inq_varndims(number_, variable, &dimensions);
+    netcdf().inq_varndims(number_, variable, &dimensions);
     if (dimensions != 1)
       refuse_record(position, fmt::format("{} dimensions", dimensions), "one, that of time");
     std::size_t size = 0;
-    nc_inq_vardimid(number_, variable, &dimension);
-    nc_inq_dimlen(number_, dimension, &size);
+    netcdf().inq_vardimid(number_, variable, &dimension);
+    netcdf().inq_dimlen(number_, dimension, &size);
     std::vector<double> values(size);
-    if (nc_get_var_double(number_, variable, values.data()) != NC_NOERR)
+    if (netcdf().get_var_double(number_, variable, values.data()) != NC_NOERR)
       refuse_record(position, "no numbers", "numbers");
     require_present(position, variable, values);
     const double scale = attribute(position, variable, "scale_factor").value_or(1.0);
@@ -75,9 +75,9 @@ class NetcdfFile {
 
   std::vector<double> attributes(const std::string& position, int variable, const char* name) const {
     std::size_t length = 0;
-    if (nc_inq_attlen(number_, variable, name, &length) != NC_NOERR) return {};
+    if (netcdf().inq_attlen(number_, variable, name, &length) != NC_NOERR) return {};
     std::vector<double> numbers(length);
-    if (length == 0 || nc_get_att_double(number_, variable, name, numbers.data()) != NC_NOERR)
+    if (length == 0 || netcdf().get_att_double(number_, variable, name, numbers.data()) != NC_NOERR)
       refuse_record(position, fmt::format("{}, which is no number", name), "numbers in this attribute");
     return numbers;
   }
@@ -113,7 +113,7 @@ class NetcdfFile {
   // Value that the library fills in where nothing was written.
   std::optional<double> default_fill(int variable) const {
     nc_type type = NC_NAT;
-    nc_inq_vartype(number_, variable, &type);
+    netcdf().inq_vartype(number_, variable, &type);
     switch (type) {
       case NC_SHORT:
         return NC_FILL_SHORT;
@@ -134,9 +134,9 @@ class NetcdfFile {
 
   std::string units(int variable) const {
     std::size_t length = 0;
-    if (nc_inq_attlen(number_, variable, "units", &length) != NC_NOERR) return "";
+    if (netcdf().inq_attlen(number_, variable, "units", &length) != NC_NOERR) return "";
     std::string text(length, '\0');
-    if (nc_get_att_text(number_, variable, "units", text.data()) != NC_NOERR) return "";
+    if (netcdf().get_att_text(number_, variable, "units", text.data()) != NC_NOERR) return "";
     return text.substr(0, text.find('\0'));
   }
 

@@ -2,6 +2,7 @@
 # CMAKE_PROJECT_Orbearing_INCLUDE (build.sh), so that the other build files hold nothing about browsers. Sources are
 # those that the folders list; left out is what needs threads, netCDF, processes or FMUs.
 
+set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/PackagesByHeaders.cmake")
 foreach(library IN ITEMS UDUNITS2 NETCDF LIBZIP)
   set(${library}_LIBRARY "not needed" CACHE STRING "")
@@ -32,13 +33,13 @@ function(orbearing_engine)
   set(here "${PROJECT_SOURCE_DIR}/page/wasm")
   set(missing "SHELL:-include ${here}/missing_library.hpp")
   set_source_files_properties("${PROJECT_SOURCE_DIR}/coupling/analysis/parallel.cpp"
-    TARGET_DIRECTORY orbearing_coupling PROPERTIES HEADER_FILE_ONLY ON)
-  set_target_properties(orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_core
-    PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  foreach(library IN ITEMS mechanics gearset bearing coupling fmu_core)
+    TARGET_DIRECTORY orbearing_analysis PROPERTIES HEADER_FILE_ONLY ON)
+  set_target_properties(orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_analysis
+    orbearing_fmu_core PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  foreach(library IN ITEMS mechanics gearset bearing coupling analysis fmu_core)
     target_compile_options(orbearing_${library} PRIVATE ${missing})
   endforeach()
-  foreach(library IN ITEMS gearset coupling fmu_core)  # their time is spent in the loops of bearing
+  foreach(library IN ITEMS gearset coupling analysis fmu_core)  # their time is spent in the loops of bearing
     target_compile_options(orbearing_${library} PRIVATE -Os)
   endforeach()
   get_target_property(sources orbearing_app_core SOURCES)
@@ -50,7 +51,7 @@ function(orbearing_engine)
   list(FILTER sources EXCLUDE REGEX
     "^\\$<|commands/(demo|fmu|merge|new_case|open|open_not_built|python_part|report|spectrum|validate)\\.cpp")
   list(FILTER sources EXCLUDE REGEX
-    "results/(merge|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
+    "results/(merge|netcdf_library|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
   list(FILTER sources EXCLUDE REGEX "study/(bladed_record|foreign_record|netcdf_record|openfast_record|record_file)\\.cpp")
   list(TRANSFORM sources PREPEND "${PROJECT_SOURCE_DIR}/app/")
   add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/units/units_table.hpp"
@@ -64,7 +65,7 @@ function(orbearing_engine)
   target_compile_options(engine PRIVATE -Oz ${missing})  # most of it is read and written once a request
   get_target_property(folders orbearing_app_needs INTERFACE_INCLUDE_DIRECTORIES)
   target_include_directories(engine PRIVATE ${folders} "${PROJECT_BINARY_DIR}/units")
-  target_link_libraries(engine PRIVATE orbearing::coupling nlopt yaml-cpp fmt::fmt)
+  target_link_libraries(engine PRIVATE orbearing::analysis nlopt yaml-cpp fmt::fmt)
   orbearing_unity_build(engine 2)
   set_source_files_properties(${own} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   # A script for importScripts() of a worker, and for the tests' node.

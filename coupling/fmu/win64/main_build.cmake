@@ -24,7 +24,7 @@ orbearing_win64_sources(gearset
 orbearing_win64_sources(mechanics "^$")
 orbearing_win64_sources(bearing
   "^pressure/|^catalogue/|^mounted_clearance|^pin_beam|^defect/|^duplex/|^film/|^equilibrium/(balls|jones_balls|planet_on_pin|rollers|row_group|static_bearing|lamina_stiffness|equilibrium_|aligned_|inclined_)|^life/(ball|bearing|life|rating|standard|inclined)_|^friction/|_avx[0-9]+\\.cpp$|^motion/balls/|^contact/ellipse_")
-orbearing_win64_sources(coupling "^(analysis/|study/|diagnosis/|cosim/|system/([^bd]|ball)|integration/integrate_switches)")
+orbearing_win64_sources(coupling "^(diagnosis/|cosim/|system/([^bd]|ball)|integration/integrate_switches)")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
 list(APPEND ORBEARING_SOURCES ${ORBEARING_FMU_CORE} ${interface})

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "app/case/common_units.hpp"
+
 namespace orbearing::app::units_test {
 namespace {
 
@@ -37,6 +39,23 @@ TEST(Units, ConvertToSi) {
   expect_quantity("15 1/GPa", dimension::pressure_viscosity, 15e-9);
   expect_quantity("7.85 g/cm^3", dimension::density, 7850);
   expect_quantity("10 mPa.s", dimension::viscosity, 0.01);
+}
+
+// With the table or without, in both directions.
+TEST(Units, OfTheTableAreThoseOfTheLibrary) {
+  const auto same = [](std::string_view unit, std::string_view target) {
+    for (const double value : {1.0, 3.0, 0.1, -37.0, 6000.0, 1.0 / 3.0}) {
+      const Reading<double> quick = convert(value, unit, target);
+      const Reading<double> slow = convert_by_library(value, unit, target);
+      ASSERT_TRUE(quick.value && slow.value) << unit << ": " << slow.fault;
+      EXPECT_EQ(*quick.value, *slow.value) << value << " " << unit << " in " << target;
+    }
+  };
+  ASSERT_FALSE(common_units().empty());
+  for (const CommonUnit& one : common_units()) {
+    same(one.unit, one.si);
+    same(one.si, one.unit);
+  }
 }
 
 TEST(Units, KeepBitsOfTheTargetUnit) {

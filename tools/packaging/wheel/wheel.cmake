@@ -2,6 +2,7 @@
 # orbearing_fmu_linux64, for clang with libc++ as the package ziglang has them. Read by CMake behind project(), as
 # CMAKE_PROJECT_Orbearing_INCLUDE (tools/wheel). Sources and options are those of the other builds. Libraries are static
 # and in ORBEARING_WHEEL_LIBRARIES, built by tools/wheel from the sources of Debian's packages.
+set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/PackagesByHeaders.cmake")
 
 set(orbearing_wheel_folder "${CMAKE_CURRENT_LIST_DIR}")
