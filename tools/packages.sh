@@ -27,14 +27,14 @@ python3: reports
 python3-numpy: reports
 python3-matplotlib: figures of the reports
 python3-netcdf4: reports, and tests that open result files as users do
+python3-xarray: results as datasets
 '
 
-# What a first picture does not need.
+# Not needed for the demo.
 more_packages='
 weasyprint: reports as PDF
 python3-scipy: typical conditions of an operating record; samples of studies
 python3-openturns: samples and polynomial chaos of uncertain lives
-python3-xarray: samples of uncertain lives as a file
 '
 
 windows_packages='

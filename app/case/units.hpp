@@ -1,4 +1,5 @@
-// Text with a unit -> SI, by the udunits2 library. The only place where units are converted.
+// Text with a unit -> SI: common units by a table, others by udunits2. The only place where units are
+// converted.
 #pragma once
 
 #include <optional>
@@ -35,7 +36,8 @@ Reading<WrittenQuantity> split_quantity(std::string_view text);
 /// (Hz) for radians. Equal unit texts leave the bits of the value alone. May be called from several threads.
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit);
 
-/// The same without the table of common units, each of which must give the same bits.
+/// By udunits2 alone: without the table of common units, each of which must give the same bits, and without
+/// spellings of data sheets.
 Reading<double> convert_by_library(double value, std::string_view unit, std::string_view target_unit);
 
 /// Reads "150 kW" as SI [dimension.si]. A bare number is refused, with the remedy.

@@ -15,7 +15,8 @@ namespace {
 
 // Stays loaded until the program ends.
 void* loaded() {
-  if (void* library = ::dlopen(ORBEARING_NETCDF_FILE, RTLD_NOW | RTLD_LOCAL)) return library;
+  for (const char* file : {ORBEARING_NETCDF_FILE, ORBEARING_NETCDF_PATH})
+    if (void* library = ::dlopen(file, RTLD_NOW | RTLD_LOCAL)) return library;
   throw ComputationFailed(fmt::format("the netCDF library cannot be loaded: {}", ::dlerror()));
 }
 

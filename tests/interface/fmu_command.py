@@ -223,7 +223,7 @@ class WindowsLibraryWhenItIsNeeded(unittest.TestCase):
         for name in ("sh", "flock"):
             (tools / name).symlink_to(shutil.which(name))
         text = ours.read_text().replace(str(LIBRARIES), str(self.libraries))
-        self.recipe(f"PATH='{self.folder}'; PATH=$PATH/tools\n".replace("it's", "it'\\''s") + text)
+        self.recipe(f"unset ORBEARING_FULL; PATH='{self.folder}'; PATH=$PATH/tools\n".replace("it's", "it'\\''s") + text)
         self.expect_none("g++-mingw-w64-x86-64-posix")
 
 

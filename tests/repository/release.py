@@ -80,7 +80,7 @@ class Release(unittest.TestCase):
         self.assertEqual(version().partition(".")[0], re.search(r"^Package: liborbearing([0-9.]+)$", text_of("tools/packaging/debian/control"), re.M)[1])
 
     def test_every_file_states_the_date_of_the_release(self):
-        """That of the changelog; a version that is not yet released has none to compare."""
+        """The changelog has it. A version that is not yet released has none."""
         heading = re.search(r"^## [0-9.]+, (.*)$", text_of("CHANGELOG.md"), re.M)[1]
         if heading == "not yet released":
             return
@@ -113,6 +113,14 @@ class Release(unittest.TestCase):
         control = text_of("tools/packaging/debian/control")
         listed = set(re.findall(r"[\w.+-]+", re.search(r"^Build-Depends:(.*?)^\S", control, re.M | re.S)[1]))
         self.assertEqual(wanted - listed, set())
+
+    def test_the_library_package_depends_on_the_netcdf_that_is_loaded(self):
+        """It is not linked, so that the tools of packages do not see it."""
+        stated = re.search(r"^Depends: libnetcdf(\d+),$", text_of("tools/packaging/debian/control"), re.M)[1]
+        found = [file.name for file in pathlib.Path("/usr/lib").glob("*/libnetcdf.so.*") if file.name.count(".") == 2]
+        if not found:
+            self.skipTest("no shared library of netCDF in /usr/lib")
+        self.assertIn(f"libnetcdf.so.{stated}", found)
 
     def test_the_paper_has_the_counts_of_the_last_validation(self):
         paper, record = text_of("docs/paper/paper.md"), text_of("docs/validation.txt")

@@ -385,10 +385,10 @@ class Copy:
     def commands(self, file: str) -> list[tuple[pathlib.Path, list[str]]]:
         """Commands that compile a source, or those that include a header, to `out.o` in home: nearest first, not in batches."""
         entries = json.loads((self.folder / "compile_commands.json").read_text())
-        library = file.split("/")[0]
+        library = "analysis" if file.startswith("coupling/analysis/") else file.split("/")[0]
         command = next((shlex.split(entry["command"]) for entry in entries
                         if re.search(rf"/orbearing_{library}(_case|_core)?\.dir/", entry["command"]) and "instruction" not in entry["command"]
-                        and "-mavx" not in entry["command"]), None)
+                        and "-mavx" not in entry["command"] and "cmake_pch" not in entry["file"]), None)
         if command is None:
             return []
         if file.endswith(".cpp"):
@@ -397,14 +397,14 @@ class Copy:
             stems = [name for name in self.texts if name.endswith(".cpp") and f'#include "{file}"' in self.texts[name]]
             own = file[:-4] + ".cpp"
             names = sorted(stems, key=lambda name: (name != own, name))[:6]
-        drop = {"-o", "-c", "-MF", "-MT", "-MQ"}
+        drop = {"-o", "-c", "-MF", "-MT", "-MQ", "-include"}  # the last: headers that are precompiled with the options of a batch
         kept, skip = [], False
         for word in command:
             if skip:
                 skip = False
             elif word in drop:
                 skip = True
-            elif word not in ("-MD", "-MMD") and not word.endswith("ccache"):
+            elif word not in ("-MD", "-MMD", "-Winvalid-pch") and not word.endswith("ccache"):
                 kept.append(word)
         views = [f"-I{self.folder}/view/{one}" for one in ("mechanics", "gearset", "bearing", "coupling", "app", "page")]
         return [(self.tree / name, [*kept, *views, "-w", "-g0", "-c", str(self.tree / name)]) for name in names]

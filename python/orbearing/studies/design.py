@@ -288,7 +288,10 @@ def _drawn(sampler: str, columns: int, samples: int | None, seed: int) -> np.nda
     if sampler == "sobol" and samples & (samples - 1):
         above = 1 << samples.bit_length()
         raise CaseError(f"samples: found {samples}; required with sobol: a power of two, as {above // 2} or {above}, without which its points are not balanced")
-    from scipy.stats import qmc
+    try:
+        from scipy.stats import qmc
+    except ImportError as error:
+        raise CaseError(f"samples: the Python library scipy was not found ({error}); required: scipy (Debian: python3-scipy; PyPI: scipy)") from error
 
     drawing = qmc.Sobol(columns, scramble=True, seed=seed) if sampler == "sobol" else qmc.LatinHypercube(columns, seed=seed)
     return drawing.random(samples)

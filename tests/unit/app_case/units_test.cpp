@@ -216,7 +216,7 @@ TEST(Units, ConvertInSeveralThreads) {
   std::vector<int> good(4, 0);
   for (std::size_t t = 0; t < good.size(); ++t)
     threads.emplace_back([&good, t] {
-      for (int i = 0; i < 200; ++i) good[t] += read_quantity("3 mm", dimension::length).value == 3e-3 ? 1 : 0;
+      for (int i = 0; i < 200; ++i) good[t] += read_quantity("3 cm", dimension::length).value == 0.03 ? 1 : 0;
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(good, std::vector<int>(4, 200));

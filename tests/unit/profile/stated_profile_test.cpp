@@ -89,7 +89,7 @@ TEST(StatedProfile, WithoutAMeaningIsRefused) {
   EXPECT_THROW((void)made({.kind = Kind::straight, .drop = 3e-6}), std::invalid_argument);
   EXPECT_THROW((void)made({.kind = Kind::chamfer, .chamfer_length = 0.9 * kLength}), std::invalid_argument);
   EXPECT_THROW((void)made({.kind = Kind::table}), std::invalid_argument);
-  // Sound by itself, not with the drop.
+  // The kind by itself is sound, the negative drop is not.
   EXPECT_THROW((void)made({.kind = Kind::iso16281, .drop = -3e-6}), std::invalid_argument);
   EXPECT_THROW((void)made({.kind = Kind::lundberg, .design_load = 0.0}), std::invalid_argument);
 }
