@@ -75,9 +75,10 @@ function(orbearing_common_headers target)
   if(NOT ORBEARING_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
     return()
   endif()
-  # g++ 12 sees overflows in the standard library's own code, and says so of headers that are precompiled.
+  # g++ 12 sees overflows in the standard library's own code, and says so of headers that are precompiled. The preset debug
+  # keeps these warnings.
   target_compile_options(${target} PRIVATE
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow;-Wno-stringop-overread>)
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds;-Wno-maybe-uninitialized>)
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <limits> <memory> <numeric> <optional>
     <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <Eigen/LU> ${ARGN})
   get_target_property(sources ${target} SOURCES)
