@@ -59,9 +59,10 @@ struct RatedLoads {
   double most = 0.0;     // P_0
 };
 
-class Bearings {
+class InclinedBearings {
  public:
-  Bearings(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty)
+  InclinedBearings(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                   const BearingDuty& duty)
       : drivetrain_(drivetrain),
         geometry_(geometry),
         speed_(rotating_speed(drivetrain.bearing, duty.point)),
@@ -212,8 +213,8 @@ std::vector<double> flattened(const Eigen::ArrayXXd& loads) {
 }
 
 // Laminae of the bearing of a planet with the shortest life.
-std::optional<LaminaRecord> record_of_laminae(const PlanetaryDrivetrain& drivetrain, const Bearings& bearings,
-                                              const PointResult& point) {
+std::optional<LaminaRecord> record_of_laminae(const PlanetaryDrivetrain& drivetrain,
+                                              const InclinedBearings& bearings, const PointResult& point) {
   const auto shortest = std::ranges::min_element(point.seats, {}, &SeatResult::life_hours);
   const bearing::InclinedRowLoads& row =
       *bearings.of(static_cast<int>(shortest - point.seats.begin())).front();
@@ -251,14 +252,14 @@ double pressure_of_inclined(const PlanetaryDrivetrain& drivetrain, const PointRe
 }
 
 // Bearing by bearing of one planet, and all planets alike.
-void put_bearings(const PlanetaryDrivetrain& drivetrain, const Bearings& bearings, double slope,
+void put_bearings(const PlanetaryDrivetrain& drivetrain, const InclinedBearings& bearings, double slope,
                   PointResult& result) {
   const std::vector<double> positions = axial_positions(drivetrain);
   Eigen::ArrayXd lives(static_cast<Eigen::Index>(positions.size()));
   std::vector<rating::RatedHours> rated;
   for (int k = 0; k < drivetrain.bearings_per_planet; ++k) {
     const Rows rows = bearings.of(k);
-    const Bearings::Lives one = bearings.lives(rows, bearings.rated_loads(k));
+    const InclinedBearings::Lives one = bearings.lives(rows, bearings.rated_loads(k));
     lives[k] = one.hours;
     rated.push_back(one.rated_hours);
     result.seats.push_back({.position = positions[static_cast<std::size_t>(k)],
@@ -276,7 +277,7 @@ void put_bearings(const PlanetaryDrivetrain& drivetrain, const Bearings& bearing
 }
 
 // Means over the bearings, by the exponent of the basic life; the largest P_0.
-RatedLoads loads_together(const PlanetaryDrivetrain& drivetrain, const Bearings& bearings,
+RatedLoads loads_together(const PlanetaryDrivetrain& drivetrain, const InclinedBearings& bearings,
                           rating::RollingElement element) {
   RatedLoads all;
   Eigen::ArrayXd loads(drivetrain.bearings_per_planet);
@@ -307,7 +308,7 @@ Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const
 
 PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const BearingDuty& duty) {
-  const Bearings bearings(drivetrain, geometry, duty);
+  const InclinedBearings bearings(drivetrain, geometry, duty);
   const Rows rows = bearings.all();
   PointResult result;
   result.element = geometry.rating.element;
@@ -318,7 +319,8 @@ PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const Drivetra
                          mean_over_rows(rows, &bearing::InclinedRowLoads::inner_load),
                          mean_over_rows(rows, &bearing::InclinedRowLoads::outer_load),
                          {}};
-  const Bearings::Lives one = bearings.lives(rows, loads_together(drivetrain, bearings, result.element));
+  const InclinedBearings::Lives one =
+      bearings.lives(rows, loads_together(drivetrain, bearings, result.element));
   result.inner.life = one.life.inner;
   result.outer.life = one.life.outer;
   result.life = one.life.bearing;

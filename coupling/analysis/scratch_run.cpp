@@ -20,7 +20,6 @@ namespace orbearing::analysis {
 
 namespace {
 
-using bearing::balls::BallBearing;
 using bearing::defect::ScratchedMotion;
 using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -136,7 +135,7 @@ Eigen::Vector2d along_load(const double* outer) {
   return {-outer[0], -outer[1]};
 }
 
-Instant state_of(const BallBearing& model, double time, const double* x) {
+Instant state_of(const bearing::balls::BallBearing& model, double time, const double* x) {
   const bearing::balls::BallSnapshot shown = model.snapshot(time, x);
   Instant now{.position = along_load(x + model.layout().outer()),
               .ball_approach = shown.inner.front().approach + shown.outer.front().approach,
@@ -184,7 +183,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
   constexpr long kShown = 100;  // times that progress is reported
   bearing::defect::ScratchedBearing scratched = given;
   scratched.run_up = run_up_of(given.shaft_speed, sampling);
-  BallBearing model(scratched_numbers(scratched, parameters), scratched_duty(scratched));
+  bearing::balls::BallBearing model(scratched_numbers(scratched, parameters), scratched_duty(scratched));
   const bearing::balls::StateLayout layout = model.layout();
   RingVibration vibration;
   Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);

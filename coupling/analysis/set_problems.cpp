@@ -32,9 +32,6 @@ std::string millimetres(double length) {
 std::string of_list(std::size_t count) {
   return "a list of " + std::to_string(count);
 }
-bool is_anywhere_nonzero(const std::vector<double>& values) {
-  return std::ranges::any_of(values, [](double value) { return value != 0.0; });
-}
 
 /// Finds what does not fit in one set.
 class SetCheck {

@@ -23,11 +23,11 @@ double planet_bore(const StatedSet& set) {
          (set.teeth.planet_teeth / std::cos(set.teeth.helix_angle) - feet);
 }
 
+}  // namespace
+
 bool is_anywhere_nonzero(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return value != 0.0; });
 }
-
-}  // namespace
 
 gearset::PlanetarySet with_bore(const StatedSet& stated) {
   gearset::PlanetarySet set = stated.teeth;

@@ -64,6 +64,9 @@ gearset::PlanetarySet with_bore(const StatedSet& set);
 /// The input that a finding of the gears is about: without a bearing a planet's bore is that of another one.
 std::string key_in_case(const StatedSet& set, const std::string& key);
 
+/// Whether one of the values is another than 0.
+bool is_anywhere_nonzero(const std::vector<double>& values);
+
 /// The key by which planets carry unequal loads: pins with position errors, or planets at unequal angles;
 /// empty: none does.
 std::string unequal_loads_by(const StatedSet& set);
