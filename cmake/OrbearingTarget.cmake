@@ -91,12 +91,18 @@ function(orbearing_common_headers target)
   endforeach()
 endfunction()
 
-# orbearing_library(<folder> SOURCES ... DEPENDS ...): the library orbearing_<folder>, alias orbearing::<folder>.
+# orbearing_library(<folder> [NAME <name>] [OPTIMISATION <option>] [BATCHES <times>] SOURCES ... DEPENDS ...): the library
+# orbearing_<folder>, alias orbearing::<folder>, or with the name instead where a folder has two. The option is that of
+# releases. Options of single sources are set before it.
 function(orbearing_library folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  set(target orbearing_${folder})
+  cmake_parse_arguments(ARG "" "NAME;OPTIMISATION;BATCHES" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(name ${folder})
+  if(ARG_NAME)
+    set(name ${ARG_NAME})
+  endif()
+  set(target orbearing_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
-  add_library(orbearing::${folder} ALIAS ${target})
+  add_library(orbearing::${name} ALIAS ${target})
   orbearing_view(${folder})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${ORBEARING_VIEW}>
@@ -104,7 +110,11 @@ function(orbearing_library folder)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   orbearing_compile_options(${target})
   # The library inside FMUs takes what it uses from a batch of sources, no more.
-  target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
-  orbearing_unity_build(${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
+  target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections $<$<CONFIG:Release>:${ARG_OPTIMISATION}>)
+  orbearing_unity_build(${target} ${ARG_BATCHES})
+  list(LENGTH ARG_SOURCES sources)
+  if(sources GREATER ORBEARING_UNITY_FILES)
+    orbearing_common_headers(${target})
+  endif()
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
 endfunction()

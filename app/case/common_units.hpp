@@ -7,12 +7,11 @@
 
 namespace orbearing::app {
 
-/// `factor` converts a number of `unit` to `si`, `inverse` converts it back.
+/// `factor` converts a number of `unit` to `si`.
 struct CommonUnit {
   std::string_view unit;
   std::string_view si;
-  double factor = 1.0;   // [si / unit]
-  double inverse = 1.0;  // [unit / si]
+  double factor = 1.0;  // [si / unit]
 };
 
 /// Equal to the factors of udunits2 but for a round-off, which conversion removes.

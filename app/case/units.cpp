@@ -269,8 +269,8 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
 
 std::optional<Conversion> common_conversion(std::string_view unit, std::string_view target) {
   for (const CommonUnit& one : common_units()) {
-    if (one.unit == unit && one.si == target) return round_conversion(one.factor, one.inverse);
-    if (one.unit == target && one.si == unit) return round_conversion(one.inverse, one.factor);
+    if (one.unit == unit && one.si == target) return round_conversion(one.factor, 1.0 / one.factor);
+    if (one.unit == target && one.si == unit) return round_conversion(1.0 / one.factor, one.factor);
   }
   return std::nullopt;
 }
