@@ -42,6 +42,7 @@ class DesignCheck {
   Problems of_balls() {
     if (design_.balls == 0 || design_.ball_diameter == 0.0 || design_.pitch_diameter == 0.0) return {};
     find_open_grooves();
+    find_turned_ellipse();
     const double spacing = spacing_of(design_.pitch_diameter, design_.balls);
     if (design_.ball_diameter >= spacing)
       found_.push_back({key_(design_.balls),
@@ -126,6 +127,18 @@ class DesignCheck {
       found_.push_back({key_(design_.radial_clearance),
                         "a clearance in which the balls touch at no contact angle; less than " +
                             significant(1e6 * most, 4) + " um is required by the grooves"});
+  }
+
+  // Laws of film and friction hold where the ellipse of contact is longer across the direction of rolling
+  // than along it: gamma/(1 + gamma) <= 1/(2 f) on the outer race, which is the first to turn its ellipse.
+  void find_turned_ellipse() {
+    const double gamma = design_.ball_diameter * std::cos(design_.contact_angle) / design_.pitch_diameter;
+    if (design_.outer_osculation == 0.0 || gamma * (2.0 * design_.outer_osculation - 1.0) <= 1.0) return;
+    found_.push_back(
+        {key_(design_.outer_osculation),
+         "an outer groove so wide that the ellipse of contact is longer along the direction of rolling; at "
+         "most " +
+             significant(0.5 * (1.0 + 1.0 / gamma), 4) + " is required by balls of this size"});
   }
 
   const BearingDesign& design_;

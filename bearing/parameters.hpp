@@ -221,7 +221,7 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
   using namespace described;
   const auto groove = input(m.osculation, "bearing." + name + "_osculation",
                             "radius of the " + name + " groove over ball diameter",
-                            {.range = {.least = 0.5, .most = 1.0, .least_allowed = false},
+                            {.range = {.least = 0.5, .most = 1.4, .least_allowed = false},
                              .reason = "the grooves for which ISO 281 states f_c"});
   const std::string race = "bearing." + name + "_race";
   members(visit, m, seat, internal(m.form, race + ".form"), internal(m.profile, race + ".profile"),

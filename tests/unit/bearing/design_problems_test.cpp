@@ -125,5 +125,22 @@ TEST(DesignProblems, OfBallsAreCrowdsAndOpenGrooves) {
   EXPECT_THAT(ball_problems(open), IsEmpty());
 }
 
+// Three balls of half the pitch circle on a groove of radius f d: on the outer race the ball's curvature 2/d
+// less the race's is 4/3d along the direction of rolling, and (2 - 1/f)/d across it. They are equal at f
+// = 1.5.
+TEST(DesignProblems, OfBallsAreEllipsesThatLieAlongTheRolling) {
+  BearingDesign design{.balls = 3,
+                       .ball_diameter = 10e-3,
+                       .inner_osculation = 1.4,
+                       .outer_osculation = 1.49,
+                       .pitch_diameter = 20e-3};
+  EXPECT_THAT(ball_problems(design), IsEmpty());
+  design.outer_osculation = 1.51;
+  ASSERT_THAT(keys(ball_problems(design)), ElementsAre("bearing.outer_osculation"));
+  EXPECT_THAT(ball_problems(design).front().text, testing::HasSubstr("at most 1.5 is required"));
+  design.contact_angle = 0.2;  // gamma = 0.49
+  EXPECT_THAT(ball_problems(design), IsEmpty());
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::design_problems_test
