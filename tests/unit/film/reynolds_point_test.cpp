@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "bearing/film/reynolds/point.hpp"
+#include "bearing/motion/balls/ball_bearing.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::film::reynolds_point_test {
 namespace {
@@ -223,6 +225,40 @@ TEST(ReynoldsPoint, WhatHasNoMeaningIsRefused) {
   wrong.rolling = 0.0;
   EXPECT_THROW(solve_point_film(wrong), std::invalid_argument);
   EXPECT_THROW(solve_point_film(round_contact, {.along = 100}), std::invalid_argument);
+}
+
+// The law of rolling resistance was fitted to ellipses of 2 to 12. In grooves as wide as 1.4 ball diameters
+// ellipses are nearly circles: the law holds there as well. The force on each surface is the first moment of
+// the pressure over 2 R_x.
+TEST(ReynoldsPoint, RollingResistanceInWideGroovesIsThatOfTheLawForBalls) {
+  for (const double osculation : {0.7, 1.0, 1.4}) {
+    Bearing bearing;
+    bearing.elements = Balls{.count = 3, .diameter = 3e-3, .contact_angle = 85.0 * constants::degree};
+    bearing.pitch_diameter = 36e-3;
+    bearing.inner.osculation = bearing.outer.osculation = osculation;
+    bearing.width = 10e-3;
+    bearing.cage = {.inner_diameter = 35e-3, .outer_diameter = 37e-3, .width = 4e-3, .density = 1310.0};
+    balls::MotionParameters given;
+    given.lubricant = {.viscosity = 0.05, .pressure_viscosity = 2e-8};
+    given.race.rolling_resistance = true;
+    given.ellipse.rolling = balls::BallRolling::reynolds;
+    const balls::GrooveNumbers groove = balls::ball_numbers(bearing, given).inner;
+    for (const double load : {0.6, 6.0}) {
+      PointFilmCase contact{.modulus = bearing.material.plane_strain_modulus(),
+                            .oil = {.viscosity = 0.05, .pressure_viscosity = 2e-8},
+                            .load = load,
+                            .rolling = 0.12};
+      set_ellipse(contact, groove.rolling_radius, groove.across / groove.along);
+      const PointFilm film = solve_point_film(contact, {.along = 128, .across = 64});
+      ASSERT_TRUE(film.converged);
+      const double cell = (film.x[1] - film.x[0]) * (film.y[1] - film.y[0]);
+      const double moment = -(film.pressure.colwise() * film.x).sum() * cell;
+      const double couple = groove.rolling_factor * contact.rolling *
+                            groove.rolling.per_speed(std::log(contact.rolling), std::log(load));
+      EXPECT_NEAR(moment / couple, 1.0, 0.06)
+          << groove.across / groove.along << " " << osculation << " " << load << " N";
+    }
+  }
 }
 
 }  // namespace
