@@ -19,11 +19,12 @@ def run_json(case, *values):
     return answer("run", case, *values)
 
 
-def script():
-    """tools/thermal_reference as a module."""
+def script(*path):
+    """A script of the project as a module."""
     sys.dont_write_bytecode = True
-    loader = importlib.machinery.SourceFileLoader("thermal_reference", str(SOURCE / "tools" / "thermal_reference"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("thermal_reference", loader))
+    name = pathlib.Path(path[-1]).stem
+    loader = importlib.machinery.SourceFileLoader(name, str(SOURCE.joinpath(*path)))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
     loader.exec_module(module)
     return module
 
@@ -121,11 +122,73 @@ class Friction(unittest.TestCase):
 
 class ReferenceSpeeds(unittest.TestCase):
     def test_expected_values_are_those_of_the_catalogue(self):
-        module = script()
+        module = script("tools", "thermal_reference")
         for family, name in module.CASES.items():
             text = (CASES / "validation" / name / "expected.yaml").read_text(encoding="utf-8")
             self.assertEqual(text, module.expected(family, module.WHY[family]), "tools/thermal_reference --write")
             self.assertGreaterEqual(sum(1 for _ in module.rows(family)), 40)
+
+
+class Laws(unittest.TestCase):
+    """docs/friction/laws.py and docs/friction/ablation.py."""
+
+    LAWS = script("docs", "friction", "laws.py")
+
+    def test_rigid_cylinders_and_published_laws_by_hand(self):
+        """U = 1e-11, W = 1e-4, G = 4000: the ratios to 1.47 (2U)^0.75 are those of [BibouletHoupert2010], 0.939 and 1.00 at 2U = 1e-11."""
+        laws, U, W, G = self.LAWS, 0.5e-11, 1e-4, 4000.0
+        unit = 1.47 * (2 * U) ** 0.75
+        self.assertAlmostEqual(laws.zhou_hoeprich(U, W, G) / unit, 0.939, delta=0.005)
+        self.assertAlmostEqual(laws.goksem_hargreaves(U, W, G) / unit, 1.00, delta=0.01)
+        self.assertAlmostEqual(laws.hamrock(U, W, G) / unit, 1.71, delta=0.01)
+        self.assertAlmostEqual(laws.biboulet_houpert(U, W, G) / unit, 1.0, delta=1e-3)
+        self.assertAlmostEqual(laws.rigid(U, W, G), 1.4705 * (2 * U * W) ** 0.5, delta=1e-20)
+
+    def test_the_default_is_the_law_of_the_program(self):
+        """Power of all contacts within the spread over positions of the cage; the resistance of one line contact within the fit's 4.1 %."""
+        for name in self.LAWS.TAPERED:
+            bearing = self.LAWS.Bearing(os.environ["ORBEARING"], name)
+            self.assertAlmostEqual(bearing.isothermal(self.LAWS.DEFAULT) / bearing.friction["isothermal_rolling_W"], 1.0, delta=0.01)
+            self.assertAlmostEqual(bearing.torque(self.LAWS.DEFAULT) / bearing.friction["torque_N_mm"], 1.0, delta=1e-6)
+            regression = self.LAWS.LAWS["Goksem and Hargreaves, 1978"]
+            self.assertAlmostEqual(bearing.power(regression) / (bearing.friction["regression_rolling_W"] + bearing.friction["drag_W"]), 1.0, delta=0.05)
+        U, W = 1e-11, 3e-5
+        found = run_json(CASES / "reynolds_line")["film"][0]["rolling_resistance_N"]
+        self.assertAlmostEqual(self.LAWS.DEFAULT(U, W, 4560.0) * 228e9 * 0.01 * 0.01 / found, 1.0, delta=0.041)
+
+    def test_a_cylindrical_bearing_has_the_loads_of_a_tapered_one(self):
+        """Sums of loads and of their parts along the radial load, and the settings of the cases."""
+        radial, clearance = self.LAWS.stand_in(6500.0, 15000.0, 15.64, 16, 22.7)
+        tilt = math.radians(15.64)
+        loads = run_json(CASES / "validation" / "wingertszahn_32216", f"load.radial={radial:.6g} N", f"bearing.radial_clearance={clearance:.5f} um")["contact_loads_N"]
+        self.assertAlmostEqual(sum(loads) * math.sin(tilt), 6500.0, delta=5.0)
+        across = sum(load * math.cos(2 * math.pi * j / 16) for j, load in enumerate(loads))
+        self.assertAlmostEqual(across * math.cos(tilt), 15000.0, delta=5.0)
+        text = (CASES / "validation" / "wingertszahn_32216" / "expected.yaml").read_text(encoding="utf-8")
+        self.assertIn(f"load.radial={radial:.5g} N", text)
+        self.assertIn(f"bearing.radial_clearance={clearance:.4f} um", text)
+
+    def test_tables_of_the_page_are_those_of_the_script(self):
+        """docs/friction/laws.py PROGRAM --write."""
+        page = (SOURCE / "docs" / "friction.md").read_text(encoding="utf-8")
+        measured = self.LAWS.measured(os.environ["ORBEARING"])
+        for table in (self.LAWS.exponents_table(), self.LAWS.moments_table(), self.LAWS.measured_table(measured, self.at_speeds(page))):
+            self.assertTrue(table in page, table)
+
+    def at_speeds(self, page):
+        """The last column, which takes half a minute, as the page has it."""
+        rows = [line.strip("| ").split(" | ") for line in page.split(self.LAWS.BEGIN)[1].split(self.LAWS.END)[0].splitlines()]
+        return {row[0]: float(row[-1]) for row in rows if row[0] in self.LAWS.LAWS and len(row) == 9}
+
+    def test_parts_are_taken_from_missed_measurements(self):
+        """Each group of the page on ablation has its rows once in its case, and the page has every line of the script."""
+        ablation = script("docs", "friction", "ablation.py")
+        page = (SOURCE / "docs" / "ablation.md").read_text(encoding="utf-8")
+        for title, case, parts, variants in ablation.GROUPS:
+            self.assertEqual([ablation.row_of(case, part)["kind"] for part, _ in parts], ["measurement"] * len(parts))
+            self.assertTrue(f"| {title} |" in page, title)
+            for name, _ in variants:
+                self.assertTrue(f"\n| {name} | " in page, f"{title}: {name}")
 
 
 if __name__ == "__main__":

@@ -80,7 +80,7 @@ def counts_table(rows: Sequence[Row]) -> str:
 
 
 # The first questions of a specialist, and the classes of quantities for them.
-FIRST_ASKED = {"friction": ("friction",), "heat": ("friction and heat",), "slip": ("cage speed", "slip"), "loads": ("contact load", "bearing load"),
+FIRST_ASKED = {"friction": ("friction", "rolling resistance"), "heat": ("friction and heat", "temperature"), "slip": ("cage speed", "slip"), "loads": ("contact load", "bearing load"),
                "load sharing": ("load sharing",), "stiffness": ("stiffness", "displacement", "tilt"),
                "vibration": ("natural frequency", "characteristic frequency", "acceleration")}
 

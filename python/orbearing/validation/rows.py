@@ -15,6 +15,7 @@ KINDS = ("measurement", "program", "worked-example", "closed-form", "recomputed"
 COUNTED = KINDS[:3]
 TREND = "trend"
 PASSING_LINES = "characteristic frequency"  # of elements that pass: they follow from one formula
+FREQUENCIES = ("natural frequency", PASSING_LINES)
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,11 @@ def read(files: Iterable) -> list[Row]:
             row = Row(**{name: one[name] for name in Row.__dataclass_fields__ if name != "kind"}, kind=one["evidence"])
             rows.setdefault(row.name, row)
     return list(rows.values())
+
+
+def rubs_or_shares(row: Row) -> bool:
+    """Whether a row is a measurement of friction, heat, slip or sharing of loads: of all but frequencies."""
+    return row.kind == "measurement" and row.of not in FREQUENCIES and not row.quantity.startswith("modes:")
 
 
 def distinct(rows: Iterable[Row]) -> list[Row]:
