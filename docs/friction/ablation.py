@@ -1,4 +1,4 @@
-"""Table of docs/ablation.md on missed measurements: python3 docs/friction/ablation.py PROGRAM [--write] (five minutes of a core).
+"""Table of docs/ablation.md on missed measurements: python3 docs/friction/ablation.py PROGRAM [--write] (ten minutes of a core).
 
 Each group is rows of expected.yaml of one case. Each variant changes one part of the model or one input; the table has
 computed over measured value for each row.
