@@ -193,7 +193,7 @@ TAPERED = {"wingertszahn_32216": "32216", "zhou_hoeprich_lm12700": "LM12700", "c
 
 
 def measured(program):
-    """ln of computed over measured by law: of torques, and of ratios of torques, by bearing."""
+    """(ln of computed over measured, tolerance) by law: of torques, and of ratios of torques, by bearing."""
     found = {law: {} for law in LAWS}
     for name, bearing in TAPERED.items():
         for row in rows_of(name):
@@ -202,11 +202,11 @@ def measured(program):
             kind = f"{bearing}, {'ratios' if there else 'torques'}"
             for title, law in LAWS.items():
                 value = here.torque(law) / (there.torque(law) if there else 1.0)
-                found[title].setdefault(kind, []).append(math.log(value / row["value"]))
+                found[title].setdefault(kind, []).append((math.log(value / row["value"]), row["tolerance"]))
     for title, law in LAWS.items():
         aihara_rows = [(0.3, disc_exponents(law, oil)[0]) for oil in DISC_OILS] + [(0.2, disc_exponents(law)[0])]
-        found[title]["discs, loads"] = [(ours - theirs) * math.log(HEAVY / LIGHT) for theirs, ours in aihara_rows]
-        found[title]["discs, speeds"] = [(disc_exponents(law)[1] - 0.658) * math.log(FAST / SLOW)]
+        found[title]["discs, loads"] = [((ours - theirs) * math.log(HEAVY / LIGHT), 0.1) for theirs, ours in aihara_rows]
+        found[title]["discs, speeds"] = [((disc_exponents(law)[1] - 0.658) * math.log(FAST / SLOW), 0.06)]
     return found
 
 
@@ -252,8 +252,10 @@ def measured_table(found, at_speeds):
     rows = []
     for title, by_kind in found.items():
         everything = [value for values in by_kind.values() for value in values]
-        rows.append((title, *(f"{math.exp(mean(by_kind[kind])):.2f}" for kind in kinds), f"{math.exp(root_mean_square(everything)):.2f}", f"{at_speeds[title]:.2f}"))
-    heads = ("law, computed / measured in the mean", *(f"{kind} ({len(found[next(iter(found))][kind])})" for kind in kinds), "all rows, root mean square",
+        within = sum(abs(math.exp(value) - 1.0) <= tolerance for value, tolerance in everything)
+        rows.append((title, *(f"{math.exp(mean([value for value, _ in by_kind[kind]])):.2f}" for kind in kinds),
+                     f"{math.exp(root_mean_square([value for value, _ in everything])):.2f}", f"{within} of {len(everything)}", f"{at_speeds[title]:.2f}"))
+    heads = ("law, computed / measured in the mean", *(f"{kind} ({len(found[next(iter(found))][kind])})" for kind in kinds), "all rows, root mean square", "within their tolerance",
              "109 rollers over the heat of ISO 15312, median")
     return table(heads, rows)
 

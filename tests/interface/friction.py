@@ -178,7 +178,7 @@ class Laws(unittest.TestCase):
     def at_speeds(self, page):
         """The last column, which takes half a minute, as the page has it."""
         rows = [line.strip("| ").split(" | ") for line in page.split(self.LAWS.BEGIN)[1].split(self.LAWS.END)[0].splitlines()]
-        return {row[0]: float(row[-1]) for row in rows if row[0] in self.LAWS.LAWS and len(row) == 9}
+        return {row[0]: float(row[-1]) for row in rows if row[0] in self.LAWS.LAWS and len(row) == 10}
 
     def test_parts_are_taken_from_missed_measurements(self):
         """Each group of the page on ablation has its rows once in its case, and the page has every line of the script."""
