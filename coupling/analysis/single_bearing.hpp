@@ -229,6 +229,7 @@ void describe(Visitor& visit, BallsUnderLoad& m) {
           part(m.loaded,
                [&] {
                  describe(visit, m.loaded);
+                 describe_dimensions(visit, m.loaded.bearing);
                  describe(visit, m.loaded.oil.lubricant);
                }),
           part(m.balls), speeds_row(m.speeds));

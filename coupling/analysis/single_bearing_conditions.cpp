@@ -174,10 +174,20 @@ std::vector<Conditional<BallsUnderLoad>> BallsUnderLoad::conditions() {
   using In = BallsUnderLoad;
   const In m;
   const Keys<In> key(m);
-  const Premise<In> sized{.on = {key(m.loaded.catalogue.designation)},
-                          .holds = [](const In& in) { return in.loaded.size.has_value(); }};
+  const bearing::Bearing& of = m.loaded.bearing;
+  const std::vector<std::string> sizes{key(of.inner.seat_diameter), key(of.outer.seat_diameter),
+                                       key(of.width)};
+  const std::string& designation = key(m.loaded.catalogue.designation);
+  Premise<In> sized{.on = sizes,
+                    .holds = [](const In& in) { return in.loaded.size.has_value(); },
+                    .text = "where " + designation + ", or " + sizes[0] + ", " + sizes[1] + " and " +
+                            sizes[2] + " are given"};
+  sized.on.push_back(designation);
   std::vector<Conditional<In>> all = conditions_of_balls(m, key);
-  append({{.keys = {key(m.loaded.bearing.material.density)},
+  append({{.keys = sizes,
+           .premises = {oil_has_viscosity(m, key), rings_rotate(m, key), sized},
+           .otherwise = Otherwise::not_modelled},
+          {.keys = {key(m.loaded.bearing.material.density)},
            .premises = {oil_has_viscosity(m, key), rings_rotate(m, key), sized},
            .otherwise = Otherwise::not_modelled},
           reliability_with_oil(m, key),

@@ -105,7 +105,8 @@ inline const std::string kBalls = R"(name: a ball bearing
 source: none
 model: ball-bearing
 load: {radial: 1000 N}
-bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um}
+bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um,
+          bore: 25 mm, outside_diameter: 62 mm, width: 17 mm}
 )";
 
 inline const std::string kBallsInTime = R"(name: a ball bearing in time
