@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <map>
+#include <set>
 #include <string>
 
 #include "app/case/case_file.hpp"
@@ -113,6 +114,15 @@ nlohmann::ordered_json command_result(const std::string& command, const std::str
   return nlohmann::ordered_json::parse(found.result);
 }
 
+// Warnings that a stated input has no effect: our number may then be of another machine than the published
+// one.
+void note_inputs_without_effect(const nlohmann::ordered_json& result, const std::string& case_name,
+                                std::set<std::string>& found) {
+  for (const auto& warning : result.value("warnings", nlohmann::ordered_json::array()))
+    if (const auto text = warning.get<std::string>(); text.find(" has no effect") != std::string::npos)
+      found.insert(case_name + ": " + text);
+}
+
 int validate_motion(const ValidateOptions& options) {
   std::vector<Record> rows;
   for (const std::string& file : case_files(options.cases)) {
@@ -153,11 +163,19 @@ int execute(const ValidateOptions& options) {
     if (text) fmt::print("{}", validation_text(tables.back()));
   };
   std::vector<std::string> warnings;
+  std::set<std::string> without_effect;
+  const auto result_of = [&](const std::string& command, const std::string& fidelity,
+                             const ResolvedCase& resolved) {
+    nlohmann::ordered_json result = command_result(command, fidelity, resolved);
+    note_inputs_without_effect(result, resolved.text("name"), without_effect);
+    return result;
+  };
   for (const std::string& file : case_files(options.cases)) {
     add_changed_inputs(file, options.settings, warnings);
     add(validation_table_of(read_case(file, options.settings), read_expected(expected_beside(file)),
-                            {.jobs = options.jobs, .result_of = command_result, .samples = options.samples}));
+                            {.jobs = options.jobs, .result_of = result_of, .samples = options.samples}));
   }
+  warnings.insert(warnings.end(), without_effect.begin(), without_effect.end());
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
   if (text) print_warnings(warnings);

@@ -119,6 +119,20 @@ class Friction(unittest.TestCase):
         found = run_json(CASES / "harris_209", *oil, *sizes)
         self.assertAlmostEqual(found["friction_by_standards"]["reference_heat_W"], 0.016 * math.pi * 19 * 130, delta=1e-6)
 
+    def test_balls_have_friction_by_stated_sizes_too(self):
+        case, sizes = CASES / "ball_6305_iso16281", [f"bearing.{name}={value} mm" for name, value in (("bore", 25), ("outside_diameter", 62), ("width", 17))]
+        oil = ["lubricant.kinematic_viscosity=20 mm2/s", "operation.shaft_speed=3000 rpm", "life.cleanliness=high"]
+        self.assertNotIn("friction", run_json(case, *oil))
+        two = run_json(case, *oil, *sizes[:2])
+        self.assertNotIn("friction", two)
+        self.assertTrue(any(text.startswith("bearing.bore:") and "counts only where" in text and "bearing.width are given" in text for text in two["warnings"]), two["warnings"])
+        found = run_json(case, *oil, *sizes)
+        self.assertAlmostEqual(found["friction_by_standards"]["reference_heat_W"], 0.016 * math.pi * 17 * 87, delta=1e-6)
+        self.assertGreater(found["friction"]["rolling_W"], 0.0)
+        wider = run_json(case, *oil, *sizes[:2], "bearing.width=19 mm")["friction"]
+        self.assertEqual(wider["rolling_W"], found["friction"]["rolling_W"])
+        self.assertNotEqual(wider["drag_W"], found["friction"]["drag_W"])
+
 
 class ReferenceSpeeds(unittest.TestCase):
     def test_expected_values_are_those_of_the_catalogue(self):

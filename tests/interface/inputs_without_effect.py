@@ -90,6 +90,14 @@ class InputsWithoutEffect(unittest.TestCase):
                 self.assertEqual(len(found), 1, changed["warnings"])
                 self.assertIn("has no effect", found[0])
 
+    def test_no_case_of_the_project_states_what_changes_nothing(self):
+        cases = sorted(CASES.glob("**/case.yaml"))
+        self.assertGreater(len(cases), 60)
+        for case in cases:
+            with self.subTest(case=case.parent.name):
+                done = run("check", case)
+                self.assertNotIn("has no effect", done.stdout + done.stderr)
+
     def test_what_changes_results_is_not(self):
         for command, options, case, beside, setting in FELT:
             with self.subTest(command=command, setting=setting, case=case.parent.name):

@@ -5,6 +5,7 @@ Verdicts of all cases: tools/test --full; else of all but the slow ones.
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
+import json
 import math
 import os
 import pathlib
@@ -17,7 +18,7 @@ from orbearing.validation.guide import calibration_text, counts_table, first_tab
 from orbearing.validation import readme
 from orbearing.validation.record import write_record
 from orbearing.validation.rows import rubs_or_shares
-from program import CASES, run
+from program import CASES, answer, run
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 RECORDED = SOURCE / "docs" / "validation" / "rows.json"
@@ -224,6 +225,10 @@ class Verdicts(unittest.TestCase):
                 self.assertEqual(sorted((r["source"], r["quantity"], r["meaning"], number(r["value"])) for r in stated),
                                  sorted((s, q, m, number(v)) for s, q, m, v in recorded.get(name, [])), name)
 
+    def test_an_input_without_effect_is_warned_of(self):
+        found = answer("validate", CASES / "ball_6305_iso16281", "lubricant.pressure_viscosity=30 GPa-1")
+        self.assertTrue(any(text.startswith("ball_6305_iso16281: lubricant.pressure_viscosity: 30 GPa-1 has no effect") for text in found["warnings"]), found["warnings"])
+
     def test_verdicts_are_those_recorded(self):
         before = validation.read([RECORDED])
         names = sorted({row.case for row in before} - (set() if FULL else SLOW))
@@ -233,6 +238,7 @@ class Verdicts(unittest.TestCase):
                 case = next(path for path in (CASES / name, CASES / "validation" / name) if path.is_dir())
                 done = run("validate", case, "--json")
                 self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(json.loads(done.stdout)["warnings"], [], "a stated input has no effect: the number may be of another machine")
                 files.append(pathlib.Path(folder) / f"{name}.json")
                 files[-1].write_text(done.stdout, encoding="utf-8")
             self.assertEqual(validation.changed_verdicts([row for row in before if row.case in names], validation.read(files)), [])
