@@ -122,6 +122,13 @@ class Release(unittest.TestCase):
             self.skipTest("no shared library of netCDF in /usr/lib")
         self.assertIn(f"libnetcdf.so.{stated}", found)
 
+    def test_units_by_table_have_what_is_called(self):
+        """The wheel and the page in a browser have a table in place of udunits2."""
+        called = set(re.findall(r"\b((?:ut|cv)_\w+)\(", (ROOT / "app" / "case" / "units.cpp").read_text(encoding="utf-8")))
+        defined = set(re.findall(r"^\w[\w ]*[ *]((?:ut|cv)_\w+)\(", (ROOT / "page" / "wasm" / "units_by_table.cpp").read_text(encoding="utf-8"), re.MULTILINE))
+        self.assertGreater(len(called), 8)
+        self.assertEqual(called - defined, set())
+
     def test_the_paper_has_the_counts_of_the_last_validation(self):
         paper, record = text_of("docs/paper/paper.md"), text_of("docs/validation.txt")
         for kind, name in (("measurement", "measurement"), ("program", "program"), ("worked-example", "worked example")):
