@@ -140,7 +140,8 @@ struct FirstApart {
 };
 template <class Range, class Other>
 constexpr auto mismatch(Range&& range, Other&& other) {
-  const auto [one, two] = std::mismatch(std::begin(range), std::end(range), std::begin(other), std::end(other));
+  const auto [one, two] =
+      std::mismatch(std::begin(range), std::end(range), std::begin(other), std::end(other));
   return FirstApart<std::decay_t<decltype(one)>, std::decay_t<decltype(two)>>{one, two};
 }
 template <class Range, class Less = Before, class Part = Same>
@@ -148,6 +149,54 @@ void stable_sort(Range&& range, Less less = {}, Part part = {}) {
   std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
     return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
   });
+}
+template <class Range, class Less = Before, class Part = Same>
+void sort(Range&& range, Less less = {}, Part part = {}) {
+  std::sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
+    return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
+  });
+}
+struct greater {
+  template <class A, class B>
+  constexpr bool operator()(const A& a, const B& b) const {
+    return b < a;
+  }
+};
+template <class Range, class Other, class Alike = std::equal_to<>>
+constexpr bool equal(Range&& range, Other&& other, Alike same = {}) {
+  return std::equal(std::begin(range), std::end(range), std::begin(other), std::end(other), same);
+}
+template <class Range, class Other>
+constexpr bool is_permutation(Range&& range, Other&& other) {
+  return std::is_permutation(std::begin(range), std::end(range), std::begin(other), std::end(other));
+}
+template <class Range, class Act>
+constexpr void for_each(Range&& range, Act act) {
+  std::for_each(std::begin(range), std::end(range), act);
+}
+template <class Range, class Out, class Change, class Part = Same>
+constexpr void transform(Range&& range, Out out, Change change, Part part = {}) {
+  for (auto&& one : range) *out++ = std::invoke(change, std::invoke(part, one));
+}
+template <class Iterator>
+struct Stretch {
+  Iterator first, last;
+  constexpr Iterator begin() const { return first; }
+  constexpr Iterator end() const { return last; }
+};
+template <class Range, class Value, class Less = Before, class Part = Same>
+constexpr auto lower_bound(Range&& range, const Value& value, Less less = {}, Part part = {}) {
+  return std::partition_point(std::begin(range), std::end(range), [&](const auto& one) {
+    return std::invoke(less, std::invoke(part, one), value);
+  });
+}
+template <class Range, class Value, class Less = Before, class Part = Same>
+constexpr auto equal_range(Range&& range, const Value& value, Less less = {}, Part part = {}) {
+  const auto first = ranges::lower_bound(range, value, less, part);
+  return Stretch<std::decay_t<decltype(first)>>{
+      first, std::partition_point(first, std::end(range), [&](const auto& one) {
+        return !std::invoke(less, value, std::invoke(part, one));
+      })};
 }
 template <class Range, class Value>
 constexpr void replace(Range&& range, const Value& former, const Value& later) {
