@@ -156,12 +156,6 @@ void sort(Range&& range, Less less = {}, Part part = {}) {
     return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
   });
 }
-struct greater {
-  template <class A, class B>
-  constexpr bool operator()(const A& a, const B& b) const {
-    return b < a;
-  }
-};
 template <class Range, class Other, class Alike = std::equal_to<>>
 constexpr bool equal(Range&& range, Other&& other, Alike same = {}) {
   return std::equal(std::begin(range), std::end(range), std::begin(other), std::end(other), same);
