@@ -114,14 +114,48 @@ nlohmann::ordered_json command_result(const std::string& command, const std::str
   return nlohmann::ordered_json::parse(found.result);
 }
 
-// Warnings that a stated input has no effect: our number may then be of another machine than the published
-// one.
-void note_inputs_without_effect(const nlohmann::ordered_json& result, const std::string& case_name,
-                                std::set<std::string>& found) {
-  for (const auto& warning : result.value("warnings", nlohmann::ordered_json::array()))
-    if (const auto text = warning.get<std::string>(); text.find(" has no effect") != std::string::npos)
-      found.insert(case_name + ": " + text);
-}
+/// Warnings that a stated input has no effect: our number may then be of another machine than the published
+/// one. What a row states counts in that row, what the case states where no result of the case depends on it.
+class InputsWithoutEffect {
+ public:
+  explicit InputsWithoutEffect(const ResolvedCase& stated) : stated_(stated) {}
+
+  void note(const nlohmann::ordered_json& result, const ResolvedCase& variant) {
+    ++results_;
+    for (const auto& one : result.value("warnings", nlohmann::ordered_json::array())) {
+      const auto text = one.get<std::string>();
+      if (text.find(" has no effect") == std::string::npos) continue;
+      const std::string path = text.substr(0, text.find(':'));
+      if (is_of_row(path, variant))
+        of_rows_.insert(text);
+      else
+        ++of_case_.try_emplace(path, Seen{text, 0}).first->second.times;
+    }
+  }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> found;
+    const auto add = [&](const std::string& text) { found.push_back(stated_.text("name") + ": " + text); };
+    for (const std::string& text : of_rows_) add(text);
+    for (const auto& [path, seen] : of_case_)
+      if (seen.times == results_) add(seen.text);
+    return found;
+  }
+
+ private:
+  struct Seen {
+    std::string text;
+    int times = 0;
+  };
+  bool is_of_row(const std::string& path, const ResolvedCase& variant) const {
+    return variant.has(path) && (!stated_.has(path) || stated_.written(path) != variant.written(path));
+  }
+
+  const ResolvedCase& stated_;
+  int results_ = 0;
+  std::set<std::string> of_rows_;
+  std::map<std::string, Seen> of_case_;
+};
 
 int validate_motion(const ValidateOptions& options) {
   std::vector<Record> rows;
@@ -163,19 +197,20 @@ int execute(const ValidateOptions& options) {
     if (text) fmt::print("{}", validation_text(tables.back()));
   };
   std::vector<std::string> warnings;
-  std::set<std::string> without_effect;
-  const auto result_of = [&](const std::string& command, const std::string& fidelity,
-                             const ResolvedCase& resolved) {
-    nlohmann::ordered_json result = command_result(command, fidelity, resolved);
-    note_inputs_without_effect(result, resolved.text("name"), without_effect);
-    return result;
-  };
   for (const std::string& file : case_files(options.cases)) {
     add_changed_inputs(file, options.settings, warnings);
-    add(validation_table_of(read_case(file, options.settings), read_expected(expected_beside(file)),
+    const ResolvedCase resolved = read_case(file, options.settings);
+    InputsWithoutEffect without_effect(resolved);
+    const auto result_of = [&](const std::string& command, const std::string& fidelity,
+                               const ResolvedCase& variant) {
+      nlohmann::ordered_json result = command_result(command, fidelity, variant);
+      without_effect.note(result, variant);
+      return result;
+    };
+    add(validation_table_of(resolved, read_expected(expected_beside(file)),
                             {.jobs = options.jobs, .result_of = result_of, .samples = options.samples}));
+    for (const std::string& warning : without_effect.warnings()) warnings.push_back(warning);
   }
-  warnings.insert(warnings.end(), without_effect.begin(), without_effect.end());
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
   if (text) print_warnings(warnings);
