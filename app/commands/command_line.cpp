@@ -113,7 +113,8 @@ int print_answer(const CLI::App& program, const CLI::ParseError& error) {
   // Not into the streams themselves: they flush, and the reason of a full disk would be lost.
   std::ostringstream answer;
   if (program.exit(error, answer, answer) != 0) {
-    print_error(answer.view().substr(0, answer.view().find_last_not_of('\n') + 1));
+    const std::string text = answer.str();
+    print_error(text.substr(0, text.find_last_not_of('\n') + 1));
     return kBadInput;
   }
   fmt::print("{}", answer.str());

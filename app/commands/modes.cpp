@@ -61,9 +61,10 @@ ResolvedCase point_for_modes(const StatedCase& stated, bool turns) try {
   StatedCase driven = stated;
   for (const auto& [path, value] :
        {std::pair(keys().power, "1 kW"), {keys().speed, "1000 rpm"}, {keys().driven_member, "sun"}})
-    if (std::ranges::any_of(error.messages, [&](const std::string& message) {
-          return message.find(std::string(": ") + path + ": missing") != std::string::npos;
-        }))
+    if (std::ranges::any_of(error.messages,
+                            [missing = std::string(": ") + path + ": missing"](const std::string& message) {
+                              return message.find(missing) != std::string::npos;
+                            }))
       driven.settings.push_back(std::string(path) + "=" + value);
   const ResolvedCase resolved = point_of(driven);
   if (resolved.shape().bearing) throw;

@@ -131,7 +131,8 @@ std::string sets_table(const ManifestHeader& header, const SweepRow& row) {
                                                            {"kappa", "kappa"},
                                                            {"contact_pressure_max_MPa", "pressure [MPa]"},
                                                            {"largest_load_share", "load share"}}}) {
-    if (std::ranges::none_of(sets, [&](const auto& set) { return std::isfinite(value(set, name)); }))
+    if (std::ranges::none_of(sets,
+                             [&, &name = name](const auto& set) { return std::isfinite(value(set, name)); }))
       continue;
     const std::size_t width = std::max<std::size_t>(words.size(), 8);
     lines.front() += fmt::format("  {:>{}}", words, width);
