@@ -20,8 +20,8 @@ def template(file):
 
 
 def template_names():
-    """In the order in which the program offers them, which app/resources.cpp states."""
-    text = (SOURCE / "app" / "resources.cpp").read_text(encoding="utf-8")
+    """In the order in which the program offers them, which app/interface/templates.cpp states."""
+    text = (SOURCE / "app" / "interface" / "templates.cpp").read_text(encoding="utf-8")
     return re.findall(r'"([\w-]+)"', re.search(r"& template_names\(\) \{(.*?)\}", text, re.S)[1])
 
 

@@ -5,6 +5,7 @@ libraries that the build requires, a paper with the counts of the last validatio
 """
 import datetime
 import email.utils
+import importlib.util
 import json
 import os
 import pathlib
@@ -138,6 +139,12 @@ class Release(unittest.TestCase):
                 for name in re.findall(r"std::ranges::(\w+)", file.read_text(encoding="utf-8"))}
         self.assertGreater(len(used), 15)
         self.assertEqual(used - defined - {"greater", "less"}, set())
+
+    def test_the_browser_has_the_templates_of_the_program(self):
+        spec = importlib.util.spec_from_file_location("assemble", ROOT / "page" / "wasm" / "assemble.py")
+        assemble = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(assemble)
+        self.assertEqual(sorted(assemble.template_names()), sorted(file.stem for file in (ROOT / "cases" / "templates").glob("*.yaml")))
 
     def test_the_paper_has_the_counts_of_the_last_validation(self):
         paper, record = text_of("docs/paper/paper.md"), text_of("docs/validation.txt")
