@@ -39,9 +39,10 @@ function(orbearing_engine)
   foreach(library IN ITEMS mechanics gearset bearing coupling analysis fmu_core)
     target_compile_options(orbearing_${library} PRIVATE ${missing})
   endforeach()
-  foreach(library IN ITEMS gearset coupling analysis fmu_core)  # their time is spent in the loops of bearing
+  foreach(library IN ITEMS gearset coupling fmu_core)  # their time is spent in the loops of bearing
     target_compile_options(orbearing_${library} PRIVATE -Os)
   endforeach()
+  target_compile_options(orbearing_analysis PRIVATE -Oz)
   get_target_property(sources orbearing_app_core SOURCES)
   get_target_property(case_sources orbearing_app_case SOURCES)
   list(APPEND sources ${case_sources})

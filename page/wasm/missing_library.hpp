@@ -19,8 +19,10 @@ namespace std {
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format form, int digits) {
   const size_t room = static_cast<size_t>(last - first) + 1;  // and the zero that ends a string of C
   string text(room, '\0');
-  const int length =
-      snprintf(text.data(), room, form == chars_format::fixed ? "%.*f" : "%.*e", digits, value);
+  const char* const pattern = form == chars_format::fixed     ? "%.*f"
+                              : form == chars_format::general ? "%.*g"
+                                                              : "%.*e";
+  const int length = snprintf(text.data(), room, pattern, digits, value);
   if (length < 0 || length > last - first) return {last, errc::value_too_large};
   return {copy_n(text.data(), length, first), errc{}};
 }
