@@ -6,12 +6,13 @@ computed over measured value for each row.
 import json
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "friction"))
+import laws  # noqa: E402
 PAGE = ROOT / "docs" / "ablation.md"
 BEGIN, END = "<!-- missed measurements: table of docs/friction/ablation.py -->", "<!-- end of missed measurements -->"
 
@@ -20,9 +21,6 @@ AS_STATED = ("as the case", ())
 
 def angle(degrees, axial, radial):
     """Settings of the stand-in for 32216 with another contact angle."""
-    sys.path.insert(0, str(ROOT / "docs" / "friction"))
-    import laws
-
     across, clearance = laws.stand_in(axial, radial, degrees, 16, 22.7)
     return (f"load.radial={max(across, 100.0):.5g} N", f"bearing.radial_clearance={clearance:.4f} um")
 
@@ -148,8 +146,7 @@ def compared(program, case, row, change):
 def group_table(program, group):
     title, case, parts, variants = group
     rows = [row_of(case, part) for part, _ in parts]
-    with ThreadPoolExecutor(max_workers=1) as pool:
-        cells = list(pool.map(lambda one: [f"{compared(program, case, row, one[1]):.2f}" for row in rows], variants))
+    cells = [[f"{compared(program, case, row, change):.2f}" for row in rows] for _, change in variants]
     lines = ["| " + " | ".join((title, *(head for _, head in parts))) + " |", "|" + "---|" * (len(parts) + 1)]
     return "\n".join(lines + ["| " + " | ".join((name, *found)) + " |" for (name, _), found in zip(variants, cells)])
 
@@ -158,15 +155,5 @@ def text(program):
     return "\n\n".join([BEGIN, *(group_table(program, group) for group in GROUPS), END])
 
 
-def main(arguments):
-    found = text(arguments[0])
-    if "--write" not in arguments:
-        print(found)
-        return
-    page = PAGE.read_text(encoding="utf-8")
-    before, _, rest = page.partition(BEGIN)
-    PAGE.write_text(before + found + rest.partition(END)[2], encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    laws.show(text(sys.argv[1]), PAGE, BEGIN, END, "--write" in sys.argv)

@@ -264,15 +264,14 @@ def text(program):
     return "\n\n".join([BEGIN, exponents_table(), moments_table(), measured_table(measured(program), at_reference_speeds(program)), END])
 
 
-def main(arguments):
-    found = text(arguments[0])
-    if "--write" not in arguments:
+def show(found, page, begin, end, write):
+    """Prints what stands between two marks of a page, or writes it there."""
+    if not write:
         print(found)
         return
-    page = PAGE.read_text(encoding="utf-8")
-    before, _, rest = page.partition(BEGIN)
-    PAGE.write_text(before + found + rest.partition(END)[2], encoding="utf-8")
+    before, _, rest = page.read_text(encoding="utf-8").partition(begin)
+    page.write_text(before + found + rest.partition(end)[2], encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    show(text(sys.argv[1]), PAGE, BEGIN, END, "--write" in sys.argv)
