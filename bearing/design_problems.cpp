@@ -42,7 +42,7 @@ class DesignCheck {
   Problems of_balls() {
     if (design_.balls == 0 || design_.ball_diameter == 0.0 || design_.pitch_diameter == 0.0) return {};
     find_open_grooves();
-    find_turned_ellipse();
+    find_ellipse_along_rolling();
     const double spacing = spacing_of(design_.pitch_diameter, design_.balls);
     if (design_.ball_diameter >= spacing)
       found_.push_back({key_(design_.balls),
@@ -131,7 +131,7 @@ class DesignCheck {
 
   // Laws of film and friction hold where the ellipse of contact is longer across the direction of rolling
   // than along it: gamma/(1 + gamma) <= 1/(2 f) on the outer race, which is the first to turn its ellipse.
-  void find_turned_ellipse() {
+  void find_ellipse_along_rolling() {
     const double gamma = design_.ball_diameter * std::cos(design_.contact_angle) / design_.pitch_diameter;
     if (design_.outer_osculation == 0.0 || gamma * (2.0 * design_.outer_osculation - 1.0) <= 1.0) return;
     found_.push_back(

@@ -115,30 +115,37 @@ nlohmann::ordered_json command_result(const std::string& command, const std::str
 }
 
 /// Warnings that a stated input has no effect: our number may then be of another machine than the published
-/// one. What a row states counts in that row, what the case states where no result of the case depends on it.
+/// one. An input that a row states counts there, one of the case where no result of the case depends on it.
 class InputsWithoutEffect {
  public:
-  explicit InputsWithoutEffect(const ResolvedCase& stated) : stated_(stated) {}
+  InputsWithoutEffect(const ResolvedCase& stated, const ExpectedFile& expected) : stated_(stated) {
+    for (const PublishedValue& row : expected.published) {
+      for (const auto* settings : {&row.settings, &row.against})
+        for (const std::string& setting : *settings) in_rows_.insert(setting.substr(0, setting.find('=')));
+      has_life_curve_ = has_life_curve_ || !result_pointer(row.quantity);
+    }
+  }
 
   void note(const nlohmann::ordered_json& result, const ResolvedCase& variant) {
     ++results_;
-    for (const auto& one : result.value("warnings", nlohmann::ordered_json::array())) {
-      const auto text = one.get<std::string>();
-      if (text.find(" has no effect") == std::string::npos) continue;
-      const std::string path = text.substr(0, text.find(':'));
-      if (is_of_row(path, variant))
-        of_rows_.insert(text);
-      else
-        ++of_case_.try_emplace(path, Seen{text, 0}).first->second.times;
+    std::map<std::string, std::string> found;
+    for (const auto& one : result.value("warnings", nlohmann::ordered_json::array()))
+      if (const auto text = one.get<std::string>(); text.find(" has no effect") != std::string::npos)
+        found.emplace(text.substr(0, text.find(':')), text);
+    for (auto& [path, text] : found) {
+      Seen& seen = seen_.try_emplace(path, Seen{std::move(text)}).first->second;
+      ++seen.times;
+      seen.by_row = seen.by_row || is_of_row(path, variant);
     }
   }
 
   std::vector<std::string> warnings() const {
     std::vector<std::string> found;
-    const auto add = [&](const std::string& text) { found.push_back(stated_.text("name") + ": " + text); };
-    for (const std::string& text : of_rows_) add(text);
-    for (const auto& [path, seen] : of_case_)
-      if (seen.times == results_) add(seen.text);
+    for (const auto& [path, seen] : seen_) {
+      const bool by_all = seen.times == results_ && !has_life_curve_;
+      if (!is_of_a_study(path) && (seen.by_row || by_all))
+        found.push_back(stated_.text("name") + ": " + seen.text);
+    }
     return found;
   }
 
@@ -146,15 +153,22 @@ class InputsWithoutEffect {
   struct Seen {
     std::string text;
     int times = 0;
+    bool by_row = false;
   };
   bool is_of_row(const std::string& path, const ResolvedCase& variant) const {
-    return variant.has(path) && (!stated_.has(path) || stated_.written(path) != variant.written(path));
+    return in_rows_.contains(path) && variant.has(path) &&
+           (!stated_.has(path) || stated_.written(path) != variant.written(path));
+  }
+  // These count in other commands.
+  static bool is_of_a_study(const std::string& path) {
+    return path.starts_with("uncertain.") || path.starts_with("sweep.");
   }
 
   const ResolvedCase& stated_;
+  std::set<std::string> in_rows_;
+  bool has_life_curve_ = false;  // whose inputs are not compared
   int results_ = 0;
-  std::set<std::string> of_rows_;
-  std::map<std::string, Seen> of_case_;
+  std::map<std::string, Seen> seen_;
 };
 
 int validate_motion(const ValidateOptions& options) {
@@ -200,14 +214,15 @@ int execute(const ValidateOptions& options) {
   for (const std::string& file : case_files(options.cases)) {
     add_changed_inputs(file, options.settings, warnings);
     const ResolvedCase resolved = read_case(file, options.settings);
-    InputsWithoutEffect without_effect(resolved);
+    const ExpectedFile expected = read_expected(expected_beside(file));
+    InputsWithoutEffect without_effect(resolved, expected);
     const auto result_of = [&](const std::string& command, const std::string& fidelity,
                                const ResolvedCase& variant) {
       nlohmann::ordered_json result = command_result(command, fidelity, variant);
       without_effect.note(result, variant);
       return result;
     };
-    add(validation_table_of(resolved, read_expected(expected_beside(file)),
+    add(validation_table_of(resolved, expected,
                             {.jobs = options.jobs, .result_of = result_of, .samples = options.samples}));
     for (const std::string& warning : without_effect.warnings()) warnings.push_back(warning);
   }

@@ -25,7 +25,7 @@ def angle(degrees, axial, radial):
     return (f"load.radial={max(across, 100.0):.5g} N", f"bearing.radial_clearance={clearance:.4f} um")
 
 
-# Title; case; of, kind of quantity; rows by a part of their meaning with the head of their column; variants.
+# Title; case; rows by a part of their meaning, with the head of their column; variants.
 GROUPS = (
     ("Torque of the tapered bearing 32216", "validation/wingertszahn_32216",
      (("torque at 500 rpm and 50", "500 rpm, 50 degC"), ("torque at 2000 rpm and 50", "2000 rpm, 50 degC"), ("torque at 4000 rpm and 50", "4000 rpm, 50 degC"),
@@ -33,7 +33,7 @@ GROUPS = (
      (AS_STATED, ("oil in 1 instead of 12 % of the volume: inlets end sooner", ("lubricant.share=0.01",)),
       ("starvation by SKF's factor", ("traction.starvation=skf",)),
       ("starvation by the oil that returns", ("traction.starvation=replenished",)),
-      ("the same with oil in 1 % of the volume", ("traction.starvation=replenished", "lubricant.share=0.01")),
+      ("starvation by the oil that returns, oil in 1 % of the volume", ("traction.starvation=replenished", "lubricant.share=0.01")),
       ("oil in the contacts at 60 degC", ("lubricant.temperature=60 degC",)),
       ("contact angle 14 deg", angle(14.0, 6000.0, 0.0)))),
     ("Ratios of torques of 32216", "validation/wingertszahn_32216",
@@ -74,7 +74,7 @@ GROUPS = (
      (("no rotor moment", "K_gamma, no moment"), ("extreme rotor moments", "K_gamma, 300 kN m"), ("torque alone", "largest bearing load")),
      (AS_STATED, ("no gravity", ("gearset.carrier.gravity=0 m/s2",)),
       ("no clearance of the carrier's bearings", ("gearset.carrier.bearing_clearance=[0 um, 0 um]",)),
-      ("three times as much", ("gearset.carrier.bearing_clearance=[900 um, 900 um]",)),
+      ("900 um of it", ("gearset.carrier.bearing_clearance=[900 um, 900 um]",)),
       ("carrier's bearings a third as stiff", ("gearset.carrier.bearing_stiffness=[1e9 N/m, 1e9 N/m]",)),
       ("sun held by 1e9 N/m", ("gearset.dynamics.sun.support_stiffness=1e9 N/m",)),
       ("one pin 50 um off", ("gearset.dynamics.pin_error.tangential=[50 um, 0 um, 0 um]",)),
@@ -110,7 +110,8 @@ GROUPS = (
       ("Ree-Eyring instead of limiting shear", ("traction.law=ree-eyring",)))),
 )
 
-KINDS = {"temperature": lambda ours, theirs: (ours - 121.0) / (theirs - 121.0), "paderborn": lambda ours, theirs: 100.0 * (1.0 - ours / theirs)}
+INLET = 121.0  # [degC]  of the oil of the 35 mm bearing
+KINDS = {"temperature": lambda ours, theirs: (ours - INLET) / (theirs - INLET), "speed of slip": lambda ours, theirs: 100.0 * (1.0 - ours / theirs)}
 
 
 def row_of(case, part):
@@ -139,7 +140,7 @@ def compared(program, case, row, change):
     ours = value_of(program, case, row, [*row.get("settings", []), *change])
     if "against" in row:
         ours /= value_of(program, case, row, [*row["against"], *change])
-    kind = KINDS["temperature"] if row["of"] == "temperature" else KINDS["paderborn"] if row["of"] == "slip" and "paderborn" in case else None
+    kind = KINDS["temperature"] if row["of"] == "temperature" else KINDS["speed of slip"] if row["of"] == "slip" and "paderborn" in case else None
     return kind(ours, row["value"]) if kind else ours / row["value"]
 
 

@@ -145,7 +145,7 @@ def answer(program, command, case, *settings):
 # What is read from the table of `check`, in SI units by the unit that stands there.
 USED = ("bearing.roller_diameter", "bearing.roller_length", "bearing.pitch_diameter", "lubricant.viscosity", "lubricant.pressure_viscosity",
         "operation.shaft_speed")
-UNITS = {"mm": 1e-3, "GPa-1": 1e-9, "rpm": math.pi / 30}
+UNITS = {"mm": 1e-3, "m": 1.0, "GPa-1": 1e-9, "Pa-1": 1.0, "rpm": math.pi / 30, "Pa.s": 1.0, "N": 1.0, "-": 1.0, "assumed": 1.0, "given": 1.0}
 
 
 class Bearing:
@@ -153,7 +153,7 @@ class Bearing:
 
     def __init__(self, program, name, *settings):
         lines = [line.split() for line in answer(program, "check", CASES / name, *settings).splitlines()]
-        given = {words[0]: float(words[1]) * UNITS.get(words[2], 1.0) for words in lines if len(words) > 2 and words[0] in USED}
+        given = {words[0]: float(words[1]) * UNITS[words[2]] for words in lines if len(words) > 2 and words[0] in USED}
         self.diameter, self.length, self.pitch = (given[key] for key in USED[:3])
         self.viscosity, self.pressure_viscosity, self.speed = (given[key] for key in USED[3:])
         found = answer(program, "run", CASES / name, *settings)
@@ -256,7 +256,7 @@ def measured_table(found, at_speeds):
         rows.append((title, *(f"{math.exp(mean([value for value, _ in by_kind[kind]])):.2f}" for kind in kinds),
                      f"{math.exp(root_mean_square([value for value, _ in everything])):.2f}", f"{within} of {len(everything)}", f"{at_speeds[title]:.2f}"))
     heads = ("law, computed / measured in the mean", *(f"{kind} ({len(found[next(iter(found))][kind])})" for kind in kinds), "all rows, root mean square", "within their tolerance",
-             "109 rollers over the heat of ISO 15312, median")
+             "109 bearings over the heat of ISO 15312, median")
     return table(heads, rows)
 
 

@@ -107,15 +107,15 @@ struct Before {
   }
 };
 template <class Range, class Less = Before, class Part = Same>
-constexpr auto min_element(Range&& range, Less = {}, Part part = {}) {
+constexpr auto min_element(Range&& range, Less less = {}, Part part = {}) {
   return std::min_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
-    return Before{}(std::invoke(part, a), std::invoke(part, b));
+    return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
   });
 }
 template <class Range, class Less = Before, class Part = Same>
-constexpr auto max_element(Range&& range, Less = {}, Part part = {}) {
+constexpr auto max_element(Range&& range, Less less = {}, Part part = {}) {
   return std::max_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
-    return Before{}(std::invoke(part, a), std::invoke(part, b));
+    return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
   });
 }
 template <class Range>

@@ -242,7 +242,7 @@ ut_status ut_map_name_to_unit(const char* name, ut_encoding, const ut_unit* unit
   return UT_SUCCESS;
 }
 ut_unit* ut_scale(double factor, const ut_unit* unit) {
-  return made(TableUnit{"", factor * unit->of.factor, 0.0, unit->of.powers});
+  return made(TableUnit{"", factor * unit->of.factor, unit->of.zero, unit->of.powers});
 }
 ut_unit* ut_divide(const ut_unit* a, const ut_unit* b) {
   return made(product(a->of, b->of, -1));

@@ -96,6 +96,7 @@ class InputsWithoutEffect(unittest.TestCase):
         for case in cases:
             with self.subTest(case=case.parent.name):
                 done = run("check", case)
+                self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertNotIn("has no effect", done.stdout + done.stderr)
 
     def test_what_changes_results_is_not(self):

@@ -17,7 +17,7 @@ from orbearing import validation
 from orbearing.validation.guide import calibration_text, counts_table, first_table, from_memory, guide, misses, percent, rows_table, statistics_table
 from orbearing.validation import readme
 from orbearing.validation.record import write_record
-from orbearing.validation.rows import rubs_or_shares
+from orbearing.validation.rows import is_friction_slip_or_sharing
 from program import CASES, answer, run
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
@@ -190,7 +190,7 @@ class Verdicts(unittest.TestCase):
 
     def test_measurements_of_friction_heat_slip_and_sharing_are_many(self):
         """Each miss says which part of the model decides, or that none of those that were tried does."""
-        rows = [row for row in validation.distinct(validation.read([RECORDED])) if row.counts and rubs_or_shares(row)]
+        rows = [row for row in validation.distinct(validation.read([RECORDED])) if row.counts and is_friction_slip_or_sharing(row)]
         self.assertGreaterEqual(len(rows), 45)
         self.assertGreaterEqual(len({row.key for row in rows}), 8)
         self.assertEqual([row.name for row in rows if row.verdict == "missed" and not row.why], [])
@@ -228,6 +228,18 @@ class Verdicts(unittest.TestCase):
     def test_an_input_without_effect_is_warned_of(self):
         found = answer("validate", CASES / "ball_6305_iso16281", "lubricant.pressure_viscosity=30 GPa-1")
         self.assertTrue(any(text.startswith("ball_6305_iso16281: lubricant.pressure_viscosity: 30 GPa-1 has no effect") for text in found["warnings"]), found["warnings"])
+
+    def test_inputs_of_the_curve_of_life_are_not_warned_of(self):
+        """modes does not use them, the other row does."""
+        row = "  - {source: '[A2000]', kind: program, of: life, meaning: m, value: 1, tolerance: 0.1, quantity: %s}\n"
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            (place / "case.yaml").write_text((CASES / "reducer_150kW" / "case.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+            modes = row % "'modes:/modes/3/frequency_Hz'"
+            for rows, found in ((modes, True), (modes + row % "peak_life_h", False)):
+                (place / "expected.yaml").write_text("published:\n" + rows, encoding="utf-8")
+                warnings = answer("validate", place / "case.yaml", "life.cleanliness=high", "life.reliability=0.99")["warnings"]
+                self.assertEqual(any("life.reliability: 0.99 has no effect" in text for text in warnings), found, warnings)
 
     def test_verdicts_are_those_recorded(self):
         before = validation.read([RECORDED])

@@ -10,11 +10,11 @@ import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from orbearing.validation.rows import Row, distinct, once_a_bearing, statistics, rubs_or_shares
+from orbearing.validation.rows import Row, distinct, once_a_bearing, statistics, is_friction_slip_or_sharing
 
 LINES = {
     "measurement": lambda row: row.kind == "measurement",
-    "of these: friction, heat, slip, sharing": rubs_or_shares,
+    "of these: friction, heat, slip, sharing": is_friction_slip_or_sharing,
     "program": lambda row: row.kind == "program",
     "worked example": lambda row: row.kind == "worked-example",
 }

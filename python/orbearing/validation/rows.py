@@ -15,7 +15,6 @@ KINDS = ("measurement", "program", "worked-example", "closed-form", "recomputed"
 COUNTED = KINDS[:3]
 TREND = "trend"
 PASSING_LINES = "characteristic frequency"  # of elements that pass: they follow from one formula
-FREQUENCIES = ("natural frequency", PASSING_LINES)
 
 
 @dataclass(frozen=True)
@@ -71,9 +70,12 @@ def read(files: Iterable) -> list[Row]:
     return list(rows.values())
 
 
-def rubs_or_shares(row: Row) -> bool:
-    """Whether a row is a measurement of friction, heat, slip or sharing of loads: of all but frequencies."""
-    return row.kind == "measurement" and row.of not in FREQUENCIES and not row.quantity.startswith("modes:")
+RUBBING = frozenset(("friction", "heat", "friction and heat", "temperature", "slip", "load sharing", "trend"))
+
+
+def is_friction_slip_or_sharing(row: Row) -> bool:
+    """Whether a row is a measurement of friction, heat, slip or sharing of loads, trends of them included."""
+    return row.kind == "measurement" and row.of in RUBBING and not row.quantity.startswith("modes:")
 
 
 def distinct(rows: Iterable[Row]) -> list[Row]:
