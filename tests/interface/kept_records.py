@@ -130,7 +130,8 @@ class Records:
 
     def write(self):
         FOLDER.mkdir(exist_ok=True)
-        text = json.dumps(dict(sorted(self.asked.items())), ensure_ascii=False, separators=(",", ":"))
+        left = json.loads(lzma.decompress(self.file.read_bytes())) if LEFT_TO_FULL and self.file.exists() else {}
+        text = json.dumps(dict(sorted((left | self.asked).items())), ensure_ascii=False, separators=(",", ":"))
         self.file.write_bytes(lzma.compress(text.encode(), preset=9 | lzma.PRESET_EXTREME))
 
 
