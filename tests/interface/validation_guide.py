@@ -1,11 +1,9 @@
 #!/usr/bin/env python3
-"""The validation guide: its statistics, its page, and verdicts beside those recorded.
+"""The validation guide: its statistics, its page, and the record of the last validation.
 
-Verdicts of all cases: tools/test --full; else of all but the slow ones.
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
-import json
 import math
 import os
 import pathlib
@@ -18,11 +16,10 @@ from orbearing.validation.guide import calibration_text, counts_table, first_tab
 from orbearing.validation import readme
 from orbearing.validation.record import write_record
 from orbearing.validation.rows import is_friction_slip_or_sharing
-from program import CASES, answer, run
+from program import CASES
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 RECORDED = SOURCE / "docs" / "validation" / "rows.json"
-FULL = os.environ.get("ORBEARING_FULL") == "yes"
 
 ROW = validation.Row(case="c", source="[A2000], Table 1", kind="measurement", of="slip", quantity="q", meaning="m", reading="", published=2.0,
                      ours=2.2, tolerance=0.05, scatter=0.03, band=None, verdict="missed", why="", memory=False, fitted=False)
@@ -54,7 +51,7 @@ class Numbers(unittest.TestCase):
     def test_lines_of_passing_elements_count_once_a_bearing(self):
         """The line of the median deviation, of each case and kind."""
         line = replace(ROW, of="characteristic frequency", published=100.0)
-        rows = [ROW, replace(line, ours=101.0, meaning="a"), replace(line, ours=100.1, meaning="b"), replace(line, ours=107.0, meaning="c"),
+        rows = [ROW, replace(line, ours=101.0, meaning="a"), replace(line, ours=100.1, meaning="b"), replace(line, ours=93.0, meaning="c"),
                 replace(line, case="other bearing", ours=100.0), replace(line, kind="program", ours=100.0)]
         kept = validation.once_a_bearing(rows)
         self.assertEqual([(row.case, row.kind, row.ours) for row in kept],
@@ -132,12 +129,13 @@ class Tables(unittest.TestCase):
     def test_what_is_asked_first(self):
         """Friction, heat, slip, loads, share, stiffness and vibration, in this order."""
         rows = [replace(ROW, of="friction", ours=2.0 * math.exp(x), meaning=str(x)) for x in (0.1, 0.3)] + [replace(ROW, of="stiffness", kind="recomputed")]
+        rows += [replace(ROW, of=of, meaning=of) for of in ("stiffness", "displacement", "tilt")]
         found = self.lines(first_table(rows))
         self.assertEqual([row["quantity"] for row in found], ["friction", "heat", "slip", "loads", "load sharing", "stiffness", "vibration"])
         self.assertEqual(found[0], {"quantity": "friction", "values": "2", "of them measured": "2", "sources": "1", "bias": percent(0.2, True),
                                     "standard deviation": percent(0.1 * math.sqrt(2.0)), "reproduced": "0", "trend": "0", "missed": "2", "input missing": "0",
                                     "most frequent reason of a miss": "2 of friction: not understood"})
-        self.assertEqual(found[5]["values"], "0")
+        self.assertEqual(found[5]["values"], "3")
 
     def test_counts(self):
         found = {row["kind of evidence"]: row for row in self.lines(counts_table([*self.ROWS, replace(ROW, kind="closed-form", verdict="trend")]))}
@@ -158,7 +156,7 @@ class Tables(unittest.TestCase):
             "50 %, with the measurement's scatter": "0 (0 %)", "90 %, with the measurement's scatter": "1 (100 %)"})
 
 
-class Verdicts(unittest.TestCase):
+class Recorded(unittest.TestCase):
     def test_a_record_is_read_as_it_was_written(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "rows.json"
@@ -225,44 +223,10 @@ class Verdicts(unittest.TestCase):
                 self.assertEqual(sorted((r["source"], r["quantity"], r["meaning"], number(r["value"])) for r in stated),
                                  sorted((s, q, m, number(v)) for s, q, m, v in recorded.get(name, [])), name)
 
-    def test_an_input_without_effect_is_warned_of(self):
-        found = answer("validate", CASES / "ball_6305_iso16281", "lubricant.pressure_viscosity=30 GPa-1")
-        self.assertTrue(any(text.startswith("ball_6305_iso16281: lubricant.pressure_viscosity: 30 GPa-1 has no effect") for text in found["warnings"]), found["warnings"])
-
-    def test_inputs_of_the_curve_of_life_are_not_warned_of(self):
-        """modes does not use them, the other row does."""
-        row = "  - {source: '[A2000]', kind: program, of: life, meaning: m, value: 1, tolerance: 0.1, quantity: %s}\n"
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder)
-            (place / "case.yaml").write_text((CASES / "reducer_150kW" / "case.yaml").read_text(encoding="utf-8"), encoding="utf-8")
-            modes = row % "'modes:/modes/3/frequency_Hz'"
-            for rows, found in ((modes, True), (modes + row % "peak_life_h", False)):
-                (place / "expected.yaml").write_text("published:\n" + rows, encoding="utf-8")
-                warnings = answer("validate", place / "case.yaml", "life.cleanliness=high", "life.reliability=0.99")["warnings"]
-                self.assertEqual(any("life.reliability: 0.99 has no effect" in text for text in warnings), found, warnings)
-
-    def test_verdicts_are_those_recorded(self):
-        before = validation.read([RECORDED])
-        names = sorted({row.case for row in before} - (set() if FULL else SLOW))
-        with tempfile.TemporaryDirectory() as folder:
-            files = []
-            for name in names:
-                case = next(path for path in (CASES / name, CASES / "validation" / name) if path.is_dir())
-                done = run("validate", case, "--json")
-                self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertEqual(json.loads(done.stdout)["warnings"], [], "a stated input has no effect: the number may be of another machine")
-                files.append(pathlib.Path(folder) / f"{name}.json")
-                files[-1].write_text(done.stdout, encoding="utf-8")
-            self.assertEqual(validation.changed_verdicts([row for row in before if row.case in names], validation.read(files)), [])
-
 
 def number(value):
     return "" if value is None else f"{float(value):.9g}"
 
-
-# Signals in time and a bearing with its temperatures, a second to thirty each.
-SLOW = {"cwru_6203", "cwru_6205", "fault_factors_case_western", "fault_factors_za2115", "femto_6804", "hit_6205", "mfpt_nice",
-        "nasa_35mm", "planet_scratch", "scratch_defect"}
 
 if __name__ == "__main__":
     unittest.main()
