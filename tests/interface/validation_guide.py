@@ -7,6 +7,8 @@ Needs ORBEARING and ORBEARING_SOURCE_DIR.
 import math
 import os
 import pathlib
+import subprocess
+import sys
 import tempfile
 import unittest
 from dataclasses import replace
@@ -91,6 +93,14 @@ class Page(unittest.TestCase):
     def test_references_from_memory(self):
         self.assertIn("[X1]", from_memory("| [X1] | some, cited from memory |\n| [Y2] | read |\n"))
         self.assertNotIn("[Y2]", from_memory("| [X1] | some, cited from memory |\n| [Y2] | read |\n"))
+
+    def test_it_is_a_program(self):
+        """python3 -m orbearing.validation, which tools/validation calls."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "rows.json"
+            write_record([ROW, replace(ROW, published=3.0)], file)
+            done = subprocess.run([sys.executable, "-m", "orbearing.validation", str(file), "-o", f"{folder}/guide"], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr, done.stdout.strip()), (0, "", f"{folder}/guide/index.md"))
 
     def test_it_is_written_with_its_pictures(self):
         with tempfile.TemporaryDirectory() as folder:
