@@ -4,15 +4,15 @@ Each group is rows of expected.yaml of one case. Each variant changes one part o
 computed over measured value for each row.
 """
 import json
+import operator
 import subprocess
 import sys
 from pathlib import Path
 
-import yaml
-
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs" / "friction"))
 import laws  # noqa: E402
+
 PAGE = ROOT / "docs" / "ablation.md"
 BEGIN, END = "<!-- missed measurements: table of docs/friction/ablation.py -->", "<!-- end of missed measurements -->"
 
@@ -111,13 +111,13 @@ GROUPS = (
 )
 
 INLET = 121.0  # [degC]  of the oil of the 35 mm bearing
-KINDS = {"temperature": lambda ours, theirs: (ours - INLET) / (theirs - INLET), "speed of slip": lambda ours, theirs: 100.0 * (1.0 - ours / theirs)}
+# Rows of slip have the speed of the cage. All else is computed over measured.
+KINDS = {"temperature": lambda ours, theirs: (ours - INLET) / (theirs - INLET), "slip": lambda ours, theirs: 100.0 * (1.0 - ours / theirs)}
 
 
 def row_of(case, part):
     """The row of a case whose meaning holds `part`."""
-    published = yaml.safe_load((ROOT / "cases" / case / "expected.yaml").read_text(encoding="utf-8"))["published"]
-    found = [row for row in published if part in row["meaning"] and row["kind"] == "measurement"]
+    found = [row for row in laws.published(ROOT / "cases" / case) if part in row["meaning"] and row["kind"] == "measurement"]
     assert len(found) == 1, (case, part, len(found))
     return found[0]
 
@@ -140,8 +140,7 @@ def compared(program, case, row, change):
     ours = value_of(program, case, row, [*row.get("settings", []), *change])
     if "against" in row:
         ours /= value_of(program, case, row, [*row["against"], *change])
-    kind = KINDS["temperature"] if row["of"] == "temperature" else KINDS["speed of slip"] if row["of"] == "slip" and "paderborn" in case else None
-    return kind(ours, row["value"]) if kind else ours / row["value"]
+    return KINDS.get(row["of"], operator.truediv)(ours, row["value"])
 
 
 def group_table(program, group):

@@ -145,7 +145,7 @@ def answer(program, command, case, *settings):
 # What is read from the table of `check`, in SI units by the unit that stands there.
 USED = ("bearing.roller_diameter", "bearing.roller_length", "bearing.pitch_diameter", "lubricant.viscosity", "lubricant.pressure_viscosity",
         "operation.shaft_speed")
-UNITS = {"mm": 1e-3, "m": 1.0, "GPa-1": 1e-9, "Pa-1": 1.0, "rpm": math.pi / 30, "Pa.s": 1.0, "N": 1.0, "-": 1.0, "assumed": 1.0, "given": 1.0}
+UNITS = {"mm": 1e-3, "GPa-1": 1e-9, "Pa-1": 1.0, "rpm": math.pi / 30, "Pa.s": 1.0}
 
 
 class Bearing:
@@ -183,10 +183,14 @@ class Bearing:
         return 1e3 * self.power(law) / self.speed  # [N mm]
 
 
+def published(case):
+    """Rows of the expected.yaml in the folder of a case."""
+    return yaml.safe_load((case / "expected.yaml").read_text(encoding="utf-8"))["published"]
+
+
 def rows_of(name):
     """Measured rows of friction of a case of validation."""
-    published = yaml.safe_load((CASES / name / "expected.yaml").read_text(encoding="utf-8"))["published"]
-    return [row for row in published if row["kind"] == "measurement" and row["of"] == "friction"]
+    return [row for row in published(CASES / name) if row["kind"] == "measurement" and row["of"] == "friction"]
 
 
 TAPERED = {"wingertszahn_32216": "32216", "zhou_hoeprich_lm12700": "LM12700", "cruz_hm801349": "HM801349"}
@@ -213,17 +217,12 @@ def measured(program):
 def at_reference_speeds(program):
     """Median of power over the heat of ISO 15312 for the cylindrical bearings of a catalogue, by law. No measurement."""
     name = "thermal_reference_rollers"
-    rows = yaml.safe_load((CASES / name / "expected.yaml").read_text(encoding="utf-8"))["published"]
-    bearings = [Bearing(program, name, *row["settings"]) for row in rows]
+    bearings = [Bearing(program, name, *row["settings"]) for row in published(CASES / name)]
     return {title: statistics.median(one.power(law) / one.heat_W for one in bearings) for title, law in LAWS.items()}
 
 
-def mean(values):
-    return sum(values) / len(values)
-
-
 def root_mean_square(values):
-    return mean([value**2 for value in values]) ** 0.5
+    return statistics.fmean(value**2 for value in values) ** 0.5
 
 
 def table(heads, rows):
@@ -236,7 +235,7 @@ def exponents_table():
         light, heavy = (disc_exponents(law, oil) for oil in DISC_OILS)
         moments = [moment(law, U * 1e-11, W * 1e-4) / of for U, W, of in MOMENTS]
         rows.append((title, f"{light[0]:.3f} / {heavy[0]:.3f}", f"{light[1]:.3f} / {heavy[1]:.3f}",
-                     f"{math.exp(mean([math.log(one) for one in moments])):.2f}", f"{min(moments):.2f} to {max(moments):.2f}"))
+                     f"{math.exp(statistics.fmean(math.log(one) for one in moments)):.2f}", f"{min(moments):.2f} to {max(moments):.2f}"))
     rows.append(("measured ([Aihara1987]; [EguchiYamamoto1981])", "0.3; 0.2", "0.658", "", ""))
     return table(("law", "exponent of load, 13 / 70 mm2/s", "exponent of speed", "ten moments, mean ratio", "range"), rows)
 
@@ -253,7 +252,7 @@ def measured_table(found, at_speeds):
     for title, by_kind in found.items():
         everything = [value for values in by_kind.values() for value in values]
         within = sum(abs(math.exp(value) - 1.0) <= tolerance for value, tolerance in everything)
-        rows.append((title, *(f"{math.exp(mean([value for value, _ in by_kind[kind]])):.2f}" for kind in kinds),
+        rows.append((title, *(f"{math.exp(statistics.fmean(value for value, _ in by_kind[kind])):.2f}" for kind in kinds),
                      f"{math.exp(root_mean_square([value for value, _ in everything])):.2f}", f"{within} of {len(everything)}", f"{at_speeds[title]:.2f}"))
     heads = ("law, computed / measured in the mean", *(f"{kind} ({len(found[next(iter(found))][kind])})" for kind in kinds), "all rows, root mean square", "within their tolerance",
              "109 bearings over the heat of ISO 15312, median")
