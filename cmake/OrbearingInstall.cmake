@@ -45,6 +45,9 @@ endif()
 
 if(TARGET orbearing)
   install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  if(TARGET orbearing_page_server)
+    install(TARGETS orbearing_page_server LIBRARY DESTINATION lib/orbearing)
+  endif()
   # Beside bin, where the command fmu looks for them. An installation has nothing to build the one for Windows with.
   set(build_win64 "${PROJECT_BINARY_DIR}/lib/orbearing/fmu/build_win64")
   if(EXISTS "${build_win64}")

@@ -17,6 +17,7 @@
 #include "orbearing/files.hpp"
 #include "orbearing/text.hpp"
 #include "page/connection.hpp"
+#include "page/leading_page.hpp"
 
 namespace orbearing::page {
 
@@ -642,13 +643,6 @@ class PageServer {
 };
 
 }  // namespace
-
-std::string leading_to(const std::string& address) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<meta charset=\"utf-8\"><title>Orbearing</title><link rel=\"icon\" href=\"data:,\">\n"
-      "<meta http-equiv=\"refresh\" content=\"0; url={0}\">\n<a href=\"{0}\">Orbearing</a>\n",
-      address);
-}
 
 std::vector<fs::path> serve_page(const PageSettings& settings) {
   return PageServer(settings).serve();

@@ -24,9 +24,6 @@ struct PageSettings {
   std::function<void(const std::string& address, const std::string& entry)> started;
 };
 
-/// A page of HTML that leads on to an address.
-std::string leading_to(const std::string& address);
-
 /// Serves until it is interrupted or the last page was closed. Returns folders of results that are kept.
 /// Throws ComputationFailed where the port is taken.
 std::vector<std::filesystem::path> serve_page(const PageSettings& settings);

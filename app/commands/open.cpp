@@ -13,7 +13,12 @@
 #include "app/standard_error.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/files.hpp"
+#include "page/leading_page.hpp"
 #include "page/page_server.hpp"
+#ifdef ORBEARING_PAGE_SERVER
+#include "app/results/loaded_library.hpp"
+#include "page/server_module.hpp"
+#endif
 
 namespace orbearing::app {
 
@@ -83,6 +88,18 @@ int work_within(const std::string& folder) {
   return page::work();
 }
 
+std::vector<fs::path> serve(const page::PageSettings& settings) {
+#ifdef ORBEARING_PAGE_SERVER
+  const LoadedLibrary module("the page's server",
+                             {(resources().folder / "lib" / "orbearing" / ORBEARING_PAGE_SERVER).string()});
+  std::vector<fs::path> kept;
+  module.function<decltype(&orbearing_serve_page)>("orbearing_serve_page")(settings, kept);
+  return kept;
+#else
+  return page::serve_page(settings);
+#endif
+}
+
 }  // namespace
 
 int execute(const OpenOptions& options) {
@@ -101,7 +118,7 @@ int execute(const OpenOptions& options) {
     std::fflush(stdout);
     if (!options.no_browser) show_in_browser(leading.write(entry).string());
   };
-  for (const fs::path& folder : page::serve_page(settings))
+  for (const fs::path& folder : serve(settings))
     if (!options.print.quiet)
       fmt::print("results are kept in {}; orbearing open shows them\n", folder.string());
   return 0;

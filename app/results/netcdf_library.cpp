@@ -1,46 +1,23 @@
 #include "app/results/netcdf_library.hpp"
 
 #ifdef ORBEARING_NETCDF_FILE
-#include <dlfcn.h>
-#include <fmt/format.h>
+#include "app/results/loaded_library.hpp"
 #endif
-
-#include "app/errors.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 #ifdef ORBEARING_NETCDF_FILE
-
-// Stays loaded until the program ends.
-void* loaded() {
-  for (const char* file : {ORBEARING_NETCDF_FILE, ORBEARING_NETCDF_PATH})
-    if (void* library = ::dlopen(file, RTLD_NOW | RTLD_LOCAL)) return library;
-  throw ComputationFailed(fmt::format("the netCDF library cannot be loaded: {}", ::dlerror()));
-}
-
-template <class Function>
-Function function_of(void* library, const char* name, Function) {
-  void* const found = ::dlsym(library, name);
-  if (found == nullptr)
-    throw ComputationFailed(fmt::format("the netCDF library {} has no {}", ORBEARING_NETCDF_FILE, name));
-  return reinterpret_cast<Function>(found);
-}
-
-#define ORBEARING_OF_NETCDF(name) function_of(library, #name, static_cast<decltype(&::name)>(nullptr))
-
+#define ORBEARING_OF_NETCDF(name) library.function<decltype(&::name)>(#name)
 #else  // it is a part of this program
-
-void* loaded() {
-  return nullptr;
-}
-
 #define ORBEARING_OF_NETCDF(name) &::name
-
 #endif
 
-NetcdfLibrary functions_of([[maybe_unused]] void* library) {
+NetcdfLibrary functions() {
+#ifdef ORBEARING_NETCDF_FILE
+  const LoadedLibrary library("the netCDF library", {ORBEARING_NETCDF_FILE, ORBEARING_NETCDF_PATH});
+#endif
   return {.abort = ORBEARING_OF_NETCDF(nc_abort),
           .close = ORBEARING_OF_NETCDF(nc_close),
           .close_memio = ORBEARING_OF_NETCDF(nc_close_memio),
@@ -70,7 +47,7 @@ NetcdfLibrary functions_of([[maybe_unused]] void* library) {
 }  // namespace
 
 const NetcdfLibrary& netcdf() {
-  static const NetcdfLibrary library = functions_of(loaded());
+  static const NetcdfLibrary library = functions();
   return library;
 }
 

@@ -1,5 +1,5 @@
 // The netCDF library, loaded when a file of its own is first read or written: it brings some forty libraries
-// with it, and loading them takes longer than most commands.
+// with it.
 #pragma once
 
 #include <netcdf.h>

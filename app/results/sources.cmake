@@ -1,7 +1,9 @@
-# Sources of app/results, relative to app/. They need netcdf (when they run), fmt, nlohmann_json and, through coupling, TBB.
+# Sources of app/results, relative to app/. They need netcdf and libzip (when they run), fmt, nlohmann_json and, through coupling, TBB.
 set(ORBEARING_RESULTS_SOURCES
+  results/archive.cpp
   results/durable_file.cpp
   results/life_table.cpp
+  results/loaded_library.cpp
   results/manifest.cpp
   results/manifest_header.cpp
   results/merge.cpp

@@ -9,6 +9,7 @@
 #include "app/errors.hpp"
 #include "app/license.hpp"
 #include "app/resources.hpp"
+#include "app/results/archive.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/standard_error.hpp"
@@ -233,13 +234,13 @@ std::vector<FmuLibrary> fmu_libraries(const fmu::NumberTable& numbers, fmu::Inte
 
 std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,
                         const std::vector<FmuLibrary>& libraries) {
-  std::vector<fmu::ArchiveFile> files{{"modelDescription.xml", fmu::model_description(numbers, options)},
+  std::vector<ArchiveFile> files{{"modelDescription.xml", fmu::model_description(numbers, options)},
                                       {std::string("resources/") + fmu::kModelFile, fmu::text_of(numbers)},
                                       {"documentation/index.html", page(numbers, options.name)},
                                       {"documentation/licenses/license.txt", license_text}};
   for (const FmuLibrary& library : libraries)
     files.push_back({"binaries/" + library.platform + "/" + library.file, library.content});
-  return fmu::archive_of(files);
+  return archive_of(files);
 }
 
 }  // namespace orbearing::app

@@ -115,13 +115,16 @@ class Release(unittest.TestCase):
         listed = set(re.findall(r"[\w.+-]+", re.search(r"^Build-Depends:(.*?)^\S", control, re.M | re.S)[1]))
         self.assertEqual(wanted - listed, set())
 
-    def test_the_library_package_depends_on_the_netcdf_that_is_loaded(self):
+    def test_the_library_package_depends_on_what_is_loaded(self):
         """It is not linked, so that the tools of packages do not see it."""
-        stated = re.search(r"^Depends: libnetcdf(\d+),$", text_of("tools/packaging/debian/control"), re.M)[1]
-        found = [file.name for file in pathlib.Path("/usr/lib").glob("*/libnetcdf.so.*") if file.name.count(".") == 2]
-        if not found:
-            self.skipTest("no shared library of netCDF in /usr/lib")
-        self.assertIn(f"libnetcdf.so.{stated}", found)
+        depends = re.search(r"^Package: liborbearing1$.*?^Depends: (.*?)^\S", text_of("tools/packaging/debian/control"), re.M | re.S)[1]
+        for name in ("netcdf", "zip"):
+            with self.subTest(name):
+                stated = re.search(rf"\blib{name}(\d+),$", depends, re.M)[1]
+                found = [file.name for file in pathlib.Path("/usr/lib").glob(f"*/lib{name}.so.*") if file.name.count(".") == 2]
+                if not found:
+                    self.skipTest(f"no shared library of {name} in /usr/lib")
+                self.assertIn(f"lib{name}.so.{stated}", found)
 
     def test_units_by_table_have_what_is_called(self):
         """The wheel and the page in a browser have a table in place of udunits2."""

@@ -2,21 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "coupling/fmu/number_table.hpp"
 
 namespace orbearing::fmu {
-
-// An FMU as a zip archive in memory; equal contents give equal bytes.
-
-struct ArchiveFile {
-  std::string path;     // inside the archive, with '/'
-  std::string content;  // bytes
-};
-
-/// Throws std::runtime_error with the reason of the zip library.
-std::string archive_of(const std::vector<ArchiveFile>& files);
 
 /// Version of the interface that an FMU is for.
 enum class Interface { fmi2, fmi3 };
