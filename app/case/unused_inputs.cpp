@@ -172,11 +172,11 @@ bool is_used_through_another(const ResolvedCase& in, const Input& input, Analysi
   });
 }
 
-// The values of a condition that the field may have.
+// The values of a condition that the field may have. No condition asks for a switch that is off.
 std::vector<std::string> values_for(const Field& field, const Condition& condition) {
   std::vector<std::string> values = condition.values;
   if (field.kind == Kind::flag)
-    std::erase_if(values, [](const std::string& value) { return value != "true" && value != "false"; });
+    std::erase_if(values, [](const std::string& value) { return value != "true"; });
   if (field.kind == Kind::choice)
     std::erase_if(values, [&](const std::string& value) {
       return std::find(field.choices.begin(), field.choices.end(), value) == field.choices.end();

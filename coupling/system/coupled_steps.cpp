@@ -96,7 +96,7 @@ void CoupledSystem::linearise(double time, const double* x, double* dx) {
 void CoupledSystem::mesh_slope(double time, double* dx) {
   constexpr double kShare = 1e-4;  // of a mesh period, within which the stiffness runs straight
   const Eigen::Index n = freedoms();
-  const double period = 1.0 / std::max(model_.gears.operation.mesh_frequency, 1.0);
+  const double period = 1.0 / model_.gears.operation.mesh_frequency;  // infinite for gears at rest
   const double span = std::min(kShare * period, 0.5 * (last_ - first_));
   const double now = std::clamp(true_time(time), first_, last_ - span);
   equations_.derivative(now, linear_gears_, port_loads_, gear_rate_);

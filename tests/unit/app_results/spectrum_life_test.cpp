@@ -1,6 +1,7 @@
 // Life under a spectrum from the rows of its bins: by hand, and what must hold whatever the lives are.
 #include "app/results/spectrum_life.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,8 @@
 
 namespace orbearing::app::spectrum_life_test {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr double kRoundOff = 1e-13;  // relative, of sums of a few terms
 
@@ -112,6 +115,13 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   EXPECT_NEAR(b.share, 0.5, kRoundOff);
   EXPECT_NEAR(a.damage_share, 0.5 / 1000.0 * life_of(found, "life_h"), kRoundOff);
   EXPECT_NEAR(a.damage_share + b.damage_share, 1.0, kRoundOff);
+  EXPECT_THAT(spectrum_text(header, {found}),
+              HasSubstr(" time [%]  uses [%]  skid risk [%]  skid risk [h]  file\n"
+                        "       50     90.91              0              -  a\n"
+                        "       50     9.091             30              -  b\n"));
+  header.spectrum.hours = 1000.0;
+  EXPECT_THAT(spectrum_text(header, {found}),
+              HasSubstr("       50     9.091             30            300  b\n"));
   put(1, 4000.0, std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(results().bins[1].skid_risk);
   EXPECT_TRUE(std::isnan(sums_of(results().bins).skid_risk_share));

@@ -9,6 +9,7 @@
 #include "app/results/progress.hpp"
 #include "app/results/sweep_table.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::sweep_table_test {
@@ -83,6 +84,37 @@ TEST(Progress, TellsDoneLeftAndTimeToGo) {
   EXPECT_EQ(progress_text(100, 10, 100, 40.0), "100 of 100 points done, 0 left");
 }
 
+// Each in the unit of its name: a turn a second is 60 rpm, and 2 pi are 360 degrees.
+TEST(Progress, TellsTheMotionOfTheBearing) {
+  constexpr double turn = constants::two_pi;
+  bearing::motion::Snapshot moved;
+  moved.orbit_speed = 2.0 * turn;
+  moved.orbit_angle = 3.0 * turn;
+  moved.cage_position << 2e-6, -3e-6;
+  moved.angle = Eigen::Array2d(0.25 * turn, 0.5 * turn);
+  moved.spin = Eigen::Array2d(5.0 * turn, -6.0 * turn);
+  moved.inner.load = Eigen::Array2d(100.0, 200.0);
+  moved.outer.load = Eigen::Array2d(150.0, 250.0);
+  const system::MotionProgress now{.time = 0.12,
+                                   .most = 1.2,
+                                   .expected = 0.48,
+                                   .rolling_cage_speed = 4.0 * turn,
+                                   .bearing = moved,
+                                   .run = 2,
+                                   .most_runs = 8};
+  const nlohmann::ordered_json expected = nlohmann::ordered_json::parse(
+      R"({"time_s": 0.12, "expected_s": 0.48, "most_s": 1.2, "share": 0.25, "seconds_left": 9.5, "run": 2,
+          "most_runs": 8, "rolling_cage_rpm": 240.0, "cage_rpm": 120.0, "cage_turned_deg": 1080.0,
+          "cage_um": [2.0, -3.0], "angle_deg": [90.0, 180.0], "spin_rpm": [300.0, -360.0],
+          "inner_load_N": [100.0, 200.0], "outer_load_N": [150.0, 250.0]})");
+  const nlohmann::ordered_json found = motion_json(now, 9.5).flatten(), wanted = expected.flatten();
+  ASSERT_EQ(found.size(), wanted.size());
+  for (const auto& [key, value] : wanted.items()) {
+    ASSERT_TRUE(found.contains(key)) << key;
+    EXPECT_DOUBLE_EQ(found.at(key).get<double>(), value.get<double>()) << key;
+  }
+}
+
 // Progress of one system in motion: simulated time, share and time left.
 TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
   const bearing::motion::Snapshot bearing;
@@ -91,10 +123,6 @@ TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
   EXPECT_EQ(motion_json(now, 9.5).at("share"), 0.25);
   EXPECT_EQ(motion_json(now, 9.5).at("seconds_left"), 9.5);
   EXPECT_TRUE(motion_json(now, std::nullopt).at("seconds_left").is_null());
-  bearing::motion::Snapshot moved;
-  moved.cage_position << 2e-6, -3e-6;
-  const system::MotionProgress beside{.time = 0.12, .most = 1.2, .expected = 0.48, .bearing = moved};
-  EXPECT_EQ(motion_json(beside, 9.5).at("cage_um"), nlohmann::ordered_json::parse("[2.0, -3.0]"));
   now.run = 2;
   now.most_runs = 8;
   EXPECT_EQ(motion_text(now, 9.6), "run 2 of at most 8: 0.12 s of 0.48 s in motion, 25 %, 0:10 to go");

@@ -60,5 +60,41 @@ TEST(GearSignals, CountTheAngleFromTheBeginningOfTheMeshPeriod) {
   EXPECT_NEAR(planet.ring_mesh_force.sines[2], -4.0, 10.0 * kRoundOff);
 }
 
+// Each signal of each planet has a value of its own: means, shares and rms values by hand.
+TEST(GearSignals, KeepPlanetsAndSignalsApart) {
+  GearSignals signals(2, kHarmonics);
+  gearset::dynamics::SetSnapshot now;
+  now.sun_mesh_force = Eigen::Array2d(3.0, 4.0);
+  now.ring_mesh_force = Eigen::Array2d(12.0, 84.0);
+  now.bearing_force = (Eigen::Array22d() << -7.0, 9.0, 20.0, 30.0).finished();
+  now.acceleration = (Eigen::Array22d() << 1.0, 3.0, 5.0, 7.0).finished();
+  now.in_housing = (Eigen::Array22d() << 6.0, 5.0, 8.0, 12.0).finished();
+  signals.add(0.0, now);
+  now.bearing_force(1, 0) = 40.0;  // means 30 and 30
+  signals.add(0.5, now);
+  EXPECT_NEAR(signals.rms_mesh_force(), std::sqrt((9.0 + 16.0 + 144.0 + 7056.0) / 4.0), kRoundOff * 50.0);
+  EXPECT_NEAR(signals.rms_acceleration(), std::sqrt((1.0 + 9.0 + 25.0 + 49.0) / 2.0), kRoundOff * 10.0);
+  const std::vector<PlanetStatistics> planets = signals.statistics();
+  const PlanetStatistics &first = planets[0], &second = planets[1];
+  EXPECT_EQ(first.sun_mesh_force.mean, 3.0);
+  EXPECT_EQ(second.sun_mesh_force.mean, 4.0);
+  EXPECT_EQ(first.ring_mesh_force.mean, 12.0);
+  EXPECT_EQ(second.ring_mesh_force.mean, 84.0);
+  EXPECT_EQ(first.radial_force.mean, -7.0);
+  EXPECT_EQ(first.radial_force.maximum, 7.0);
+  EXPECT_EQ(second.radial_force.mean, 9.0);
+  EXPECT_EQ(first.tangential_force.mean, 30.0);
+  EXPECT_EQ(first.tangential_force.largest, 40.0);
+  EXPECT_EQ(first.tangential_force.least, 20.0);
+  EXPECT_EQ(first.radial_acceleration.mean, 1.0);
+  EXPECT_EQ(first.tangential_acceleration.mean, 5.0);
+  EXPECT_EQ(second.tangential_acceleration.mean, 7.0);
+  EXPECT_NEAR(first.housing_acceleration, std::sqrt(50.0), kRoundOff * 10.0);
+  EXPECT_NEAR(second.housing_acceleration, std::sqrt(84.5), kRoundOff * 10.0);
+  EXPECT_NEAR(first.load_share, 1.0, kRoundOff);
+  EXPECT_NEAR(first.most_load_share, 40.0 / 30.0, kRoundOff);
+  EXPECT_NEAR(second.most_load_share, 1.0, kRoundOff);
+}
+
 }  // namespace
 }  // namespace orbearing::analysis::gear_signals_test
