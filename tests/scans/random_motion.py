@@ -1,4 +1,4 @@
-"""Random but sensible designs: how many complete, why the others do not, and how long one takes.
+"""Random but sensible designs: how many complete, why the others do not, how long one takes, and how well `check` estimates it.
 
     random_motion.py [--kind drivetrains|system|balls] [--short] [--count N] [--seed S] [--first K] [--seconds S] [--jobs N] [--keep DIR]
 
@@ -7,7 +7,8 @@ drivetrains  wind stages, e-drive reducers and industrial stages; caged and full
 system       the same with gears and bearings solved as one system (`--fidelity monolithic`)
 balls        deep groove and angular-contact ball bearings, half of them quasi-static, half in motion over some revolutions of the shaft
 
-`--short` observes one revolution of the cage after at most two. `--seconds` bounds the processor time of a design, and times are processor times.
+Of motions of drivetrains that take a second or more the processor time is compared with the estimate of `check`. `--families` draws from
+some kinds of drivetrains alone. `--short` observes one revolution of the cage after at most two. `--seconds` bounds the processor time of a design, and times are processor times.
 What `check` or `run` refuse as input is no design and is drawn again, and so is a drivetrain whose point at rest is told to be implausible
 (C/P below 0.2, say). Needs ORBEARING.
 """
@@ -97,9 +98,9 @@ def bearing(draw, g):
     return lines
 
 
-def case_text(draw, _):
+def case_text(draw, _, families):
     """(family, speed in rpm, text of a case)."""
-    family = draw.choice(tuple(FAMILIES))
+    family = draw.choice(families)
     g = gears(draw, family)
     film = draw.random() < 0.6
     grade = {"wind": 320, "e-drive": 32, "industrial": 150}[family]
@@ -114,7 +115,7 @@ def case_text(draw, _):
     return family, g["rpm"], "\n".join(lines) + "\n"
 
 
-def ball_text(draw, index):
+def ball_text(draw, index, _):
     """(quasi-static or in motion, speed in rpm, text of a case)."""
     run = BALL_RUNS[index % 2]
     ball = between(draw, 3, 40)  # mm
@@ -168,37 +169,52 @@ def implausible(file):
     return done.returncode == 0 and json.loads(done.stdout)["points"][0]["status"].startswith("implausible")
 
 
+def estimated(checked):
+    """Processor time of the motion by `check` [s]."""
+    return next((value["value"] for value in json.loads(checked)["derived"] if value["path"] == "simulation.processor_time"), None)
+
+
+def accuracy(results):
+    """Estimates over times, of those that take a second or more."""
+    ratios = sorted(one["estimate"] / one["seconds"] for one in results if one.get("estimate") and one["seconds"] >= 1.0)
+    if not ratios:
+        return "no estimates"
+    within = sum(0.5 <= ratio <= 2.0 for ratio in ratios)
+    return f"estimate over time: {within} of {len(ratios)} within a factor of 2, {ratios[0]:.2g} to {ratios[-1]:.2g}"
+
+
 def computed(task):
-    """One design: {index, family, rpm, status, seconds, reason}."""
+    """One design: {index, family, rpm, status, seconds, reason, estimate}."""
     index, options = task
     seconds, keep = options.seconds, options.keep
     text_of, _, fidelity = KINDS[options.kind]
     draw = random.Random(f"{options.seed}/{index}")
     wanted = ["--fidelity", fidelity] if fidelity else []
-    if fidelity and options.short:
-        wanted += [word for value in SHORT for word in ("--set", value)]
+    settings = [word for value in SHORT for word in ("--set", value)] if fidelity and options.short else []
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "case.yaml"
         for _ in range(50):
-            family, rpm, text = text_of(draw, index)
+            family, rpm, text = text_of(draw, index, options.families)
             file.write_text(text, encoding="utf-8")
-            if subprocess.run([PROGRAM, "check", file, "--json"], capture_output=True).returncode != 0:
+            checked = subprocess.run([PROGRAM, "check", file, *settings, "--json"], capture_output=True)
+            if checked.returncode != 0:
                 continue
             if fidelity and implausible(file):
                 continue
             before = processor_time()
-            done = subprocess.run([PROGRAM, "run", file, *wanted, "--json"], capture_output=True, text=True,
+            done = subprocess.run([PROGRAM, "run", file, *wanted, *settings, "--json"], capture_output=True, text=True,
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
             took = processor_time() - before
             if done.returncode != BAD_INPUT:
                 break
         else:
             return {"index": index, "family": family, "rpm": rpm, "status": "never accepted", "seconds": 0.0, "reason": "50 draws were refused"}
+        estimate = estimated(checked.stdout) if fidelity == "dynamic" else None
         late = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
         status, reason = ("too long", f"not within {seconds} s") if late else outcome(done)
         if keep and status != "completed":
             (pathlib.Path(keep) / f"{index}.yaml").write_text(f"# {status}: {reason[:200]}\n{text}".replace("\n# ", " "), encoding="utf-8")
-    return {"index": index, "family": family, "rpm": rpm, "status": status, "seconds": took, "reason": reason}
+    return {"index": index, "family": family, "rpm": rpm, "status": status, "seconds": took, "reason": reason, "estimate": estimate}
 
 
 def times(results):
@@ -209,6 +225,7 @@ def times(results):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kind", choices=tuple(KINDS), default="drivetrains")
+    parser.add_argument("--families", nargs="+", choices=tuple(FAMILIES), default=tuple(FAMILIES))
     parser.add_argument("--short", action="store_true", help="few revolutions of the cage")
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--first", type=int, default=0)
@@ -216,6 +233,7 @@ def main():
     parser.add_argument("--seconds", type=int, default=120)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", help="folder of the cases that do not complete")
+    parser.add_argument("--each", action="store_true", help="a line for each design")
     options = parser.parse_args()
     if options.keep:
         pathlib.Path(options.keep).mkdir(parents=True, exist_ok=True)
@@ -226,18 +244,20 @@ def main():
             results.append(one)
             if one["status"] != "completed":
                 print(f"{one['index']}: {one['family']}, {one['rpm']:.4g} rpm: {one['status']} after {one['seconds']:.1f} s: {one['reason'][:300]}", flush=True)
+            elif options.each:
+                print(f"{one['index']}: {one['family']}, {one['rpm']:.4g} rpm: {one['seconds']:.2f} s, estimate {one.get('estimate')}", flush=True)
     done = [one for one in results if one["status"] == "completed"]
     late = sum(one["status"] == "too long" for one in results)
     print(f"{len(done)} of {len(results)} complete ({100 * len(done) / len(results):.1f} %), {len(results) - len(done) - late} failed, "
-          f"{late} over {options.seconds} s; {times(results)}")
+          f"{late} over {options.seconds} s; {times(results)}; {accuracy(done)}")
     for family in KINDS[options.kind][1]:
         of = [one for one in results if one["family"] == family]
         if of:
-            print(f"  {family}: {sum(one['family'] == family for one in done)} of {len(of)}; {times(of)}")
+            print(f"  {family}: {sum(one['family'] == family for one in done)} of {len(of)}; {times(of)}; {accuracy([one for one in of if one in done])}")
     for low, high in ((0, 10), (10, 100), (100, 1000), (1000, math.inf)):
         of = [one for one in results if low <= one["rpm"] < high]
         if of:
-            print(f"  {low} to {high:g} rpm: {sum(low <= one['rpm'] < high for one in done)} of {len(of)}; {times(of)}")
+            print(f"  {low} to {high:g} rpm: {sum(low <= one['rpm'] < high for one in done)} of {len(of)}; {times(of)}; {accuracy([one for one in of if one in done])}")
     return len(done) < 0.99 * len(results)
 
 

@@ -382,17 +382,35 @@ TEST(CatalogueBearing, OtherTypesAreNamed) {
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
                 ElementsAre(HasSubstr("nearest: NU")))
         << name;
-  for (const auto& [name, words] :
-       std::vector<std::pair<const char*, const char*>>{{"51210", "a thrust ball bearing"},
-                                                        {"29420 E", "a spherical roller thrust bearing"},
-                                                        {"81210", "a cylindrical roller thrust bearing"},
-                                                        {"2210-TVH", "a self-aligning ball bearing"},
-                                                        {"3210", "a double-row angular contact ball bearing"},
-                                                        {"QJ 210", "a four-point contact ball bearing"},
-                                                        {"C 2210", "a toroidal roller bearing"}})
-    EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
-                ElementsAre(AllOf(HasSubstr(words), HasSubstr("others are not computed"))))
+  const auto expect_words = [&](const std::string& name, const char* words) {
+    EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=" + name}),
+                ElementsAre(AllOf(HasSubstr(words), HasSubstr("of which no catalogue has a line"))))
         << name;
+  };
+  for (const char* series : {"30", "31", "32", "33"})
+    expect_words(series + std::string("210 A"), "a tapered roller bearing");
+  for (const char* series : {"21", "22", "23", "24"})
+    expect_words(series + std::string("310 CC"), "a spherical roller bearing");
+}
+
+// Each series of a type that is not computed, with the words of its type.
+TEST(CatalogueBearing, TypesThatAreNotComputedAreNamed) {
+  struct Type {
+    const char* words;
+    std::vector<const char*> names;
+  };
+  const std::vector<Type> types{{"a thrust ball bearing", {"51210", "52210", "53210", "54210"}},
+                                {"a spherical roller thrust bearing", {"29220", "29320 E", "29420 E"}},
+                                {"a cylindrical roller thrust bearing", {"81210", "89310"}},
+                                {"a self-aligning ball bearing", {"1210", "1310", "2210-TVH", "2310"}},
+                                {"a double-row angular contact ball bearing", {"3210", "3310"}},
+                                {"a four-point contact ball bearing", {"QJ 210"}},
+                                {"a toroidal roller bearing", {"C 2210"}}};
+  for (const Type& type : types)
+    for (const char* name : type.names)
+      EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
+                  ElementsAre(AllOf(HasSubstr(type.words), HasSubstr("others are not computed"))))
+          << name;
 }
 
 // Outside the catalogue a cage is the typical one of such a section too.
