@@ -117,11 +117,11 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   EXPECT_NEAR(a.damage_share + b.damage_share, 1.0, kRoundOff);
   EXPECT_THAT(spectrum_text(header, {found}),
               HasSubstr(" time [%]  uses [%]  skid risk [%]  skid risk [h]  file\n"
-                        "       50     90.91              0              -  a\n"
-                        "       50     9.091             30              -  b\n"));
+                        "       50      90.9              0              -  a\n"
+                        "       50      9.09             30              -  b\n"));
   header.spectrum.hours = 1000.0;
   EXPECT_THAT(spectrum_text(header, {found}),
-              HasSubstr("       50     9.091             30            300  b\n"));
+              HasSubstr("       50      9.09             30            300  b\n"));
   put(1, 4000.0, std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(results().bins[1].skid_risk);
   EXPECT_TRUE(std::isnan(sums_of(results().bins).skid_risk_share));
