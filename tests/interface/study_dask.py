@@ -16,6 +16,7 @@ import tempfile
 import threading
 import time
 import unittest
+from unittest import mock
 
 import program
 from virtual_environment import skip
@@ -27,7 +28,7 @@ if importlib.util.find_spec("distributed") is None:
 
 from distributed import Client, LocalCluster  # noqa: E402
 
-from orbearing.studies.executors import Lost, compute_portion  # noqa: E402
+from orbearing.studies.executors import Cluster, Lost, compute_portion  # noqa: E402
 from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
 from orbearing.studies.plan import Portion  # noqa: E402
 
@@ -42,6 +43,31 @@ PATIENCE = 3  # [s] of a client for its scheduler
 
 def study(folder, executor, **options):
     return orbearing.study(CASE, RANGE, sampler="sobol", samples=SAMPLES, executor=executor, output=folder, **{"progress": False, **options})
+
+
+class LateWorkers(Cluster):
+    """A cluster whose workers come after it has been asked so many times."""
+
+    def __init__(self, times):
+        super().__init__(client=None)
+        self.times = times
+
+    @property
+    def lanes(self):
+        self.times -= 1
+        return max(0, -self.times)
+
+
+class Waiting(unittest.TestCase):
+    def test_workers_may_come_late(self):
+        cluster = LateWorkers(3)
+        cluster._await_workers()
+        self.assertLess(cluster.times, 0)
+
+    def test_a_cluster_without_workers_is_lost(self):
+        with mock.patch("orbearing.studies.executors.AT_FIRST_SECONDS", 0.25):
+            with self.assertRaisesRegex(Lost, "has had no worker for 0 s; start workers, then continue with --resume"):
+                LateWorkers(1000)._await_workers()
 
 
 class Killer(threading.Thread):

@@ -154,7 +154,6 @@ class Uncertainties(kept_records.Recorded):
         self.check("peaks", {"speeds": peaks.speed_rpm, "lives": peaks.life_h, "ends": peaks.at_end, "points": peaks.points, "asked": asked,
                              "few": [[one.speed_rpm, one.life_h, one.at_end, one.points] for one in few]})
 
-    @unittest.skipIf(kept_records.LEFT_TO_FULL, "left to tools/test --full")
     def test_whole_studies(self):
         ball = case(NUMBERS[:2], inputs=[{"path": "bearing.balls", "value": 9.0}, {"path": "input.power", "value": 1.0}, {"path": "spectrum", "value": 1.0}], governing_life={"key": "L10h"}, sweep={})
         dead = lambda paths, values, fidelity: ({key: np.where(np.arange(len(values)) > 0, np.nan, column) for key, column in evaluate(paths, values, fidelity)[0].items()}, evaluate(paths, values, fidelity)[1])  # noqa: E731
