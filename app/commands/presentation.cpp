@@ -122,10 +122,11 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const SweepLimits& limits,
   const double beyond =
       estimate->seconds(windows) - std::accumulate(plan.request.work.begin(), plan.request.work.end(), 0.0);
   plan.request.announce = [beyond, added = estimate->added.size(), jobs = limits.jobs,
+                           accuracy = estimate->accuracy(),
                            one = plan.request.header.continued.has_value() ||
                                  plan.request.points.size() == 1](double seconds, std::size_t missing) {
     const auto threads = static_cast<int>(analysis::threads_for(missing + added, one ? 1 : jobs));
-    const std::string text = estimate_text(seconds + beyond, missing, added, threads);
+    const std::string text = estimate_text(seconds + beyond, missing, added, threads, accuracy);
     if (!text.empty()) print_to_standard_error("{}\n", text);
   };
   return plan;

@@ -164,25 +164,26 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
                                   time_text(estimate.seconds(chosen)), time_text(asked), cost)};
 }
 
-std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads) {
+std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads, int accuracy) {
   const double wall = seconds / threads;
   if (wall < kAnnounced) return {};
   return fmt::format(
-      "estimate: about {} for {} {} in motion{} ({} of processor time on {} {}), within a factor of 2",
+      "estimate: about {} for {} {} in motion{} ({} of processor time on {} {}), within a factor of {}",
       time_text(wall), points, points == 1 ? "point" : "points",
       added > 0 ? fmt::format(" and some {} around the peak", added) : "", time_text(seconds), threads,
-      threads == 1 ? "thread" : "threads");
+      threads == 1 ? "thread" : "threads", accuracy);
 }
 
 std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain || !resolved.has(keys().observed_revolutions) ||
       !resolved.shape().bearing)
     return {};
-  const double seconds = analysis::seconds_of(work_of(resolved.without_sweep(), analysis::Fidelity::dynamic),
-                                              windows_of(resolved));
+  const std::vector<MotionWork> work = work_of(resolved.without_sweep(), analysis::Fidelity::dynamic);
+  const double seconds = analysis::seconds_of(work, windows_of(resolved));
   if (!(seconds > 0.0)) return {};
   return {{"simulation.processor_time", seconds, "s",
-           "estimate of a run with --fidelity dynamic, within a factor of 2"}};
+           fmt::format("estimate of a run with --fidelity dynamic, within a factor of {}",
+                       analysis::accuracy_of(work))}};
 }
 
 }  // namespace orbearing::app

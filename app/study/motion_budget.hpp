@@ -39,8 +39,8 @@ void require_motion_for_budget(const std::string& fidelity);
 [[noreturn]] void refuse_budget(const ResolvedCase& resolved, bool gears_alone);
 
 /// "estimate: about 2 min (240 s of processor time on 2 threads) for 12 points in motion"; empty below half a
-/// minute.
-std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads);
+/// minute. `accuracy`: factor within which it is right.
+std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads, int accuracy);
 
 /// Quantities of `check` on the time of a run in motion; none where there is none.
 std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved);

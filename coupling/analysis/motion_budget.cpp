@@ -53,6 +53,13 @@ std::vector<double> MotionEstimate::work(const MotionWindows& windows) const {
   return seconds;
 }
 
+int MotionEstimate::accuracy() const {
+  int worst = kAccuracy;
+  for (const auto* list : {&points, &added})
+    for (const std::vector<MotionWork>& point : *list) worst = std::max(worst, accuracy_of(point));
+  return worst;
+}
+
 BudgetedWindows windows_within(double seconds, const MotionEstimate& estimate) {
   const auto fits = [&](const MotionWindows& windows) { return estimate.seconds(windows) <= seconds; };
   if (fits(estimate.stated)) return {estimate.stated};

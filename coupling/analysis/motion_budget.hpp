@@ -17,6 +17,7 @@ struct MotionEstimate {
 
   double seconds(const MotionWindows& windows) const;            // [s]  of processor time, all points
   std::vector<double> work(const MotionWindows& windows) const;  // [s]  (points of the request)
+  int accuracy() const;                                          // factor: the worst of all points
 };
 
 /// The windows to compute with.

@@ -56,6 +56,7 @@ constexpr double kSlowPassage = 0.13, kFastPassage = 0.27;  // [-]
 constexpr double kGears = 0.02;                             // [s]  of the gears in a run
 
 constexpr double kCagedSettling = 2.0, kUncagedSettling = 5.0;  // [-]
+constexpr double kSlow = 2.0;  // [-]  of system::slowness(), from which on motion is told to be slow
 
 double lanes_of(const BearingModel& model) {
   constexpr double pack = 8.0;
@@ -97,6 +98,7 @@ void put_steps(const SetMotion& set, MotionWork& work) {
   const int order = system::order_of_steps(model, set.shaken);
   const bool damped = system::impacts_are_damped(model);
   const double slow = system::slowness(model);
+  work.slow = slow > kSlow;
   work.longest_step = system::steps_of_order(order, bearing, allowed, slow).longest;
   if (order == 4)
     work.longest_step *= kOfOrder4 / slow;

@@ -2,6 +2,7 @@
 // waves: known before it is computed, and the same on every machine.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct MotionWork {
   double other_seconds = 0.0;   // [s]  processor time of all that is no step of bearings
   int alike = 1;                // such motions
   double run_up = 0.0;          // [s]  of motion, instead of the observed revolutions; 0: none
+  bool slow = false;            // steps follow the passage of rollers: their number is known less well
 
   double step(const MotionWindows& windows) const;  // [s]  mean
   double time(const MotionWindows& windows) const;  // [s]  of motion, in all runs
@@ -51,6 +53,12 @@ std::vector<MotionWork> motion_work(const std::vector<NamedSet>& sets, Fidelity 
 
 /// [s]  of processor time of all of them
 double seconds_of(const std::vector<MotionWork>& motions, const MotionWindows& windows);
+
+/// Factor within which estimates are of the measured times: docs/motion_time.md.
+inline constexpr int kAccuracy = 2, kAccuracyOfSlow = 6;
+inline int accuracy_of(const std::vector<MotionWork>& motions) {
+  return std::ranges::any_of(motions, &MotionWork::slow) ? kAccuracyOfSlow : kAccuracy;
+}
 
 /// Life of one revolution of the cage about that of many [-], standard deviation: the largest of eleven
 /// motions (docs/motion_time.md); and that of the slip.

@@ -101,6 +101,12 @@ class Estimate(unittest.TestCase):
         # Two revolutions come before the means.
         self.assertAlmostEqual(self.estimate_of(198) / self.estimate_of(18), 10.0, delta=0.2)
 
+    def test_it_is_less_exact_of_slow_motion(self):
+        """Below some 400 rpm the reducer's rollers pass slowly against their vibrations."""
+        for rpm, factor in ((100, 6), (1000, 2)):
+            rows = {row["path"]: row for row in answer("check", REDUCER, f"input.speed={rpm} rpm", "input.power=2.5 kW")["derived"]}
+            self.assertEqual(rows["simulation.processor_time"]["meaning"], f"estimate of a run with --fidelity dynamic, within a factor of {factor}")
+
     def first_line(self, *options):
         command = [os.environ["ORBEARING"], *map(str, moving("simulation.observed_revolutions=3000", options=("--json", *options)))]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:

@@ -37,6 +37,13 @@ TEST(MotionWork, CountsRevolutionsOfAllRuns) {
   EXPECT_NEAR(seconds_of({example(), example()}, windows), 2 * 0.785, 1e-12);
 }
 
+TEST(MotionWork, OfSlowMotionIsKnownLessWell) {
+  MotionWork slow = example();
+  slow.slow = true;
+  EXPECT_EQ(accuracy_of({example(), example()}), kAccuracy);
+  EXPECT_EQ(accuracy_of({example(), slow}), kAccuracyOfSlow);
+}
+
 TEST(MotionWork, BoundsOfTheWindowsCount) {
   MotionWork late = example();
   late.runs = 1.0;
