@@ -76,6 +76,15 @@ class Maps(unittest.TestCase):
         self.assertEqual([row[2] for row in block.summary.rows], [2000.0, 2000.0])
         self.assertLess(len(block.pictures[0]), MOST_BYTES)
 
+    def test_the_greatest_width_is_that_of_the_widest_place(self):
+        """An end that carries two rows more than the middle, and one that carries nothing, with a pressure of its own."""
+        uneven = contact("straight")
+        y, rows = np.asarray(uneven["y_um"]), uneven["pressure_MPa"]
+        rows[0] = list(np.where(y <= 100.0, 2500.0, 0.0))
+        rows[-1] = [0.0] * len(y)
+        (row,) = draw(roller_pressure.map_block, [uneven]).summary.rows
+        self.assertEqual(row[2:], (2500.0, 210.0))
+
     def test_missing_data_are_said(self):
         self.assertIn("no pressure", draw(roller_pressure.map_block, [{}]).missing)
         turned = contact("straight")
