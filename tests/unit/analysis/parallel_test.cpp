@@ -35,6 +35,15 @@ TEST(InParallel, NoMoreThreadsThanProcessorsOrJobs) {
   }
 }
 
+TEST(ThreadsFor, AreAtMostThoseAskedForTheProcessorsAndTheWork) {
+  const auto processors = static_cast<std::size_t>(tbb::info::default_concurrency());
+  EXPECT_EQ(threads_for(1000, 1), 1U);
+  EXPECT_EQ(threads_for(1000, 0), processors);
+  EXPECT_EQ(threads_for(1000, 4096), processors);
+  EXPECT_EQ(threads_for(1, 4096), 1U);
+  EXPECT_EQ(threads_for(0, 0), 1U);
+}
+
 TEST(InParallel, WhatIsThrownIsPassedOn) {
   EXPECT_THROW(in_parallel(100, 0,
                            [](std::size_t i) {

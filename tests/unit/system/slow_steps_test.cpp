@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <sstream>
+
 #include "coupling/system/bearing_steps.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
@@ -59,6 +62,18 @@ TEST(FastestVibration, IsThatOfTheLightestPartOnTheStiffestSpring) {
   EXPECT_THAT(fastest_vibration(model), HasSubstr("the inner ring or pin (1e-09 kg) on support.stiffness"));
   model.cage.mass = 1e-15;
   EXPECT_THAT(fastest_vibration(model), HasSubstr("the cage (1e-15 kg) on bearing.cage.pocket_stiffness"));
+}
+
+// Both races hold a roller.
+TEST(FastestVibration, OfARollerIsThatBetweenItsRaces) {
+  BearingModel model = reducer_model(true);
+  model.roller.mass = 1e-9;
+  model.pocket.stiffness = 1.0;
+  const double stiffness = 2.0 * race_load(model.inner, kTypicalApproach, 1.0) / kTypicalApproach;
+  std::ostringstream expected;
+  expected << "a roller (1e-09 kg) on its races (" << stiffness << " N/m), with a period of "
+           << 2.0 * M_PI * std::sqrt(1e-9 / stiffness) << " s; state a larger bearing.roller_diameter";
+  EXPECT_THAT(fastest_vibration(model), testing::HasSubstr(expected.str()));
 }
 
 }  // namespace
