@@ -52,7 +52,7 @@ function(orbearing_engine)
   list(FILTER sources EXCLUDE REGEX
     "^\\$<|commands/(demo|fmu|merge|new_case|open|open_not_built|python_part|report|spectrum|validate)\\.cpp")
   list(FILTER sources EXCLUDE REGEX
-    "results/(merge|netcdf_library|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
+    "results/(archive|loaded_library|merge|netcdf_library|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
   list(FILTER sources EXCLUDE REGEX "study/(bladed_record|foreign_record|netcdf_record|openfast_record|record_file)\\.cpp")
   list(TRANSFORM sources PREPEND "${PROJECT_SOURCE_DIR}/app/")
   add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/units/units_table.hpp"
