@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "bearing/motion/initial_state.hpp"
 #include "bearing/motion/model.hpp"
 #include "bearing/motion/vector_bearing.hpp"
 #include "coupling/analysis/light_load.hpp"
 #include "coupling/analysis/load_sharing.hpp"
+#include "coupling/analysis/tilting_planet.hpp"
 #include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/free_bearing.hpp"
 #include "gearset/dynamics/parameters.hpp"
 #include "mechanics/constants.hpp"
 
@@ -43,7 +47,7 @@ constexpr double kHigherOrder = 1.67;    // steps of order 3 and 4
 constexpr double kRefused = 1.17;        // steps of order 2 where rollers bounce under loads that vary
 constexpr double kExplicit = 15.0;       // dopri5, for the same time of motion
 // Factors of one system: bearings that take steps of their own, and gears.
-constexpr double kOneSystem = 1.4, kUncagedSystem = 1.7, kSmoothSystem = 1.2;
+constexpr double kOneSystem = 1.4, kUncagedSystem = 1.3, kSmoothSystem = 1.2;
 constexpr double kJumpsOfPeriod = 16.0;     // of the mesh stiffness, which end a step
 constexpr double kExchange = 15e-6;         // [s]  of an exchange in a co-simulation
 constexpr double kExchangeSteps = 0.5;      // [-]  that a window ends
@@ -53,10 +57,13 @@ constexpr double kExchangeOfWindow = 0.82;  // [-]  mean over the longest window
 // up to where they pass fast, as shares of its frequency.
 constexpr double kSlowRuns = 2.5, kFastRuns = 4.7, kHelicalSlowRuns = 1.5;
 constexpr double kSlowPassage = 0.13, kFastPassage = 0.27;  // [-]
+constexpr double kRunsOfSlowMotion = 1.3;                   // dampers do not decide: one_way.cpp
 constexpr double kGears = 0.02;                             // [s]  of the gears in a run
 
 constexpr double kCagedSettling = 2.0, kUncagedSettling = 5.0;  // [-]
-constexpr double kSlow = 2.0;  // [-]  of system::slowness(), from which on motion is told to be slow
+
+// Steps of slow motion are counted: in the second passage of a roller past the load, or in part of it.
+constexpr long kMostCounted = 8'000;
 
 double lanes_of(const BearingModel& model) {
   constexpr double pack = 8.0;
@@ -72,6 +79,8 @@ double step_seconds(const BearingModel& model, int laminae) {
 // Motion of one set: common data of all its motions.
 struct SetMotion {
   const PlanetaryDrivetrain& drivetrain;
+  const SeatedBearing& seated;  // the bearing
+  const bearing::motion::DynamicsParameters& parameters;
   const BearingModel& model;
   bool shaken;            // by meshes that vary
   double mesh_frequency;  // [Hz]
@@ -91,6 +100,36 @@ double ring_frequency(const BearingModel& model) {
   return kRingTimes / (constants::two_pi * longest);
 }
 
+// [s]  Mean step of the bearing under mean loads with errors that `length_error` [m] allows, while a roller
+// passes the load; rollers and cage have settled in the passage before. None where it does not move.
+std::optional<double> counted_step(const SetMotion& set, double length_error) {
+  const PlanetaryDrivetrain& drivetrain = set.drivetrain;
+  bearing::vectorised::VectorBearing bearing(set.model);
+  const Eigen::VectorXd start = initial_state(set.seated.drivetrain.bearing, set.model, set.parameters,
+                                              drivetrain.steady_state.first_roller)
+                                    .x;
+  integration::IntegrationOptions options = drivetrain.steady_state.integration;
+  options.allowed_error = system::allowed_errors(set.model, length_error);
+  const auto through = [&](int passages) {
+    Eigen::VectorXd x = start;
+    options.most_steps = passages * kMostCounted;
+    const double passage = constants::two_pi / (static_cast<double>(set.model.layout.rollers) *
+                                                std::abs(set.model.kinematic_cage_speed));
+    return system::integrate_bearing(bearing, x, {0.0, passages * passage, 1}, options, nullptr, nullptr);
+  };
+  const integration::IntegrationReport settled = through(1), both = through(2);
+  if (both.steps <= settled.steps) return std::nullopt;
+  return (both.reached - settled.reached) / static_cast<double>(both.steps - settled.steps);
+}
+
+void put_counted_steps(const SetMotion& set, MotionWork& work) {
+  const double error = std::max(kUsualError, work.load_error);
+  const std::optional<double> counted = counted_step(set, error);
+  if (!counted) return;
+  work.accurate_step = *counted * std::sqrt(kUsualError / error);
+  work.longest_step = std::numeric_limits<double>::infinity();
+}
+
 void put_steps(const SetMotion& set, MotionWork& work) {
   const BearingModel& model = set.model;
   const bearing::vectorised::VectorBearing bearing(model);
@@ -98,7 +137,6 @@ void put_steps(const SetMotion& set, MotionWork& work) {
   const int order = system::order_of_steps(model, set.shaken);
   const bool damped = system::impacts_are_damped(model);
   const double slow = system::slowness(model);
-  work.slow = slow > kSlow;
   work.longest_step = system::steps_of_order(order, bearing, allowed, slow).longest;
   if (order == 4)
     work.longest_step *= kOfOrder4 / slow;
@@ -119,8 +157,12 @@ void put_steps(const SetMotion& set, MotionWork& work) {
     work.step_seconds *= kHigherOrder;
   else if (set.bounces())
     work.step_seconds *= kRefused;
+  work.slow = system::is_slow(model);
+  if (work.slow) work.accuracy = model.layout.caged ? kAccuracyOfSlow : kAccuracyOfSlowUncaged;
   if (set.drivetrain.steady_state.integration.method != integration::Method::linearly_implicit)
     work.step_seconds *= kExplicit;
+  else if (work.slow)
+    put_counted_steps(set, work);
 }
 
 void put_runs(const SetMotion& set, MotionWork& work) {
@@ -128,7 +170,7 @@ void put_runs(const SetMotion& set, MotionWork& work) {
   const double passage = set.mesh_frequency / ring_frequency(set.model);
   const double fast = std::clamp((passage - kSlowPassage) / (kFastPassage - kSlowPassage), 0.0, 1.0);
   const double slow = set.rattles() ? kSlowRuns : kHelicalSlowRuns;
-  work.runs = slow + fast * (kFastRuns - slow);
+  work.runs = work.slow ? kRunsOfSlowMotion : slow + fast * (kFastRuns - slow);
   work.other_seconds += kGears * work.runs;
 }
 
@@ -139,7 +181,9 @@ void put_one_system(const SetMotion& set, MotionWork& work) {
                                                                : kOneSystem);
   if (!set.shaken) return;
   const double jumps = kJumpsOfPeriod * set.mesh_frequency;
-  work.longest_step = 1.0 / (1.0 / work.longest_step + jumps);
+  const auto between_jumps = [jumps](double step) { return 1.0 / (1.0 / step + jumps); };
+  work.longest_step = between_jumps(work.longest_step);
+  if (work.slow) work.accurate_step = between_jumps(work.accurate_step);
 }
 
 void put_exchange(const SetMotion& set, MotionWork& work) {
@@ -156,13 +200,24 @@ double error_of_load(const PlanetaryDrivetrain& drivetrain, const MeansAtRest& a
   return with_error_of_load(drivetrain, at_rest).steady_state.allowed_length_error;
 }
 
+// A bearing of the set; where steps are counted, with the tilt that it has at rest.
+SeatedBearing seated_in_slow_motion(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                    const BearingDuty& duty) {
+  const BearingModel upright =
+      bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, geometry));
+  if (drivetrain.seats.tilt != TiltState::computed || !system::is_slow(upright))
+    return {drivetrain, geometry, duty};
+  return seated_bearings(seat_of_each(drivetrain, geometry), drivetrain, geometry, duty).front();
+}
+
 MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
   const PlanetaryDrivetrain& drivetrain = named.drivetrain;
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, named.geometry);
   const MeansAtRest at_rest = means_at_rest(drivetrain, named.geometry, duties);
   const BearingDuty& duty = duties.front();
-  const BearingModel model =
-      bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, named.geometry));
+  const SeatedBearing seated = seated_in_slow_motion(drivetrain, named.geometry, duty);
+  const bearing::motion::DynamicsParameters parameters = bearing_dynamics(seated.drivetrain, seated.geometry);
+  const BearingModel model = bearing_model(seated.drivetrain.bearing, seated.duty.point, parameters);
   const double cage =
       bearing::kinematic_cage_speed(model.geometry, duty.point.inner_speed, duty.point.outer_speed);
   const bool gears = static_cast<bool>(drivetrain.gear_set);
@@ -171,7 +226,11 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
       moves_with_its_gears(
           drivetrain, drag_over_traction(drivetrain, named.geometry, duty, at_rest.front()).value_or(0.0));
   const SetMotion set{
-      drivetrain, model, gears && drivetrain.mesh_variation,
+      drivetrain,
+      seated,
+      parameters,
+      model,
+      gears && drivetrain.mesh_variation,
       gears ? gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency : 0.0,
       drivetrain.set.planets * drivetrain.bearings_per_planet};
   MotionWork work{.settling = model.layout.caged ? kCagedSettling : kUncagedSettling,

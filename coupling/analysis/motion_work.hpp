@@ -10,6 +10,10 @@
 
 namespace orbearing::analysis {
 
+/// Factor within which estimates are of the measured times: of most motions, of slow ones, and of slow ones
+/// whose rollers strike each other. docs/motion_time.md has the measurement.
+inline constexpr int kAccuracy = 2, kAccuracyOfSlow = 4, kAccuracyOfSlowUncaged = 15;
+
 /// Duration and accuracy of a motion, as in system::SteadyStateOptions.
 struct MotionWindows {
   int observed = 10;            // [-]  revolutions of the cage
@@ -40,7 +44,8 @@ struct MotionWork {
   double other_seconds = 0.0;   // [s]  processor time of all that is no step of bearings
   int alike = 1;                // such motions
   double run_up = 0.0;          // [s]  of motion, instead of the observed revolutions; 0: none
-  bool slow = false;            // steps follow the passage of rollers: their number is known less well
+  bool slow = false;            // steps follow the passage of rollers, and are counted
+  int accuracy = kAccuracy;     // the estimate is within this factor
 
   double step(const MotionWindows& windows) const;  // [s]  mean
   double time(const MotionWindows& windows) const;  // [s]  of motion, in all runs
@@ -54,10 +59,11 @@ std::vector<MotionWork> motion_work(const std::vector<NamedSet>& sets, Fidelity 
 /// [s]  of processor time of all of them
 double seconds_of(const std::vector<MotionWork>& motions, const MotionWindows& windows);
 
-/// Factor within which estimates are of the measured times: docs/motion_time.md.
-inline constexpr int kAccuracy = 2, kAccuracyOfSlow = 6;
+/// The least accurate of them.
 inline int accuracy_of(const std::vector<MotionWork>& motions) {
-  return std::ranges::any_of(motions, &MotionWork::slow) ? kAccuracyOfSlow : kAccuracy;
+  int worst = kAccuracy;
+  for (const MotionWork& motion : motions) worst = std::max(worst, motion.accuracy);
+  return worst;
 }
 
 /// Life of one revolution of the cage about that of many [-], standard deviation: the largest of eleven

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/motion_progress.hpp"
 #include "mechanics/linear_algebra.hpp"
 
@@ -164,6 +165,7 @@ class OneWay {
         duty_(duty),
         options_(options),
         parameters_(on_its_ring(drivetrain, geometry, bearing_dynamics_of(duty, drivetrain, geometry))),
+        slow_(system::is_slow(bearing_model(drivetrain.bearing, duty.point, parameters_))),
         bearing_state_(start) {}
 
   /// Until a run agrees with the law that it was driven on, or there is no better law to go to.
@@ -266,10 +268,11 @@ class OneWay {
     return !whole_;
   }
 
+  /// Slow motion hardly shows the dampers, which then have no effect: what a run makes of them is scatter.
   /// @param margin on what is allowed
   bool is_close(double margin) const {
     return record_.fitted.stiffness_change <= margin * options_.stiffness_change &&
-           record_.fitted.damping_change <= margin * options_.damping_change;
+           (slow_ || record_.fitted.damping_change <= margin * options_.damping_change);
   }
 
   const PlanetaryDrivetrain& drivetrain_;
@@ -277,6 +280,7 @@ class OneWay {
   const BearingDuty& duty_;
   const OneWayOptions& options_;
   bearing::motion::DynamicsParameters parameters_;
+  bool slow_;
   AffineBearing tangent_, law_;  // law_: that the gears moved on
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
   std::optional<AffineFit> fit_;

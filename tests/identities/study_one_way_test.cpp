@@ -188,6 +188,28 @@ TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
   EXPECT_FALSE(accepted(any, any, 0.0));
 }
 
+// At 300 rpm a roller of the reducer passes in three times as many steps as at 850 rpm.
+TEST(OneWay, IsNotAskedForTheDampersOfSlowMotion) {
+  constexpr double any = 1e9;
+  PlanetaryDrivetrain drivetrain = dry_reducer_at(300.0 * example::rpm);
+  drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
+  drivetrain.steady_state.observed_windows = 1;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
+  const auto accepted = [&](double stiffness, double damping) {
+    return run_one_way(drivetrain, geometry, duty, gears, std::nullopt,
+                       {.stiffness_change = stiffness,
+                        .damping_change = damping,
+                        .load_difference = any,
+                        .most_runs = 1})
+        .fit.value()
+        .accepted;
+  };
+  EXPECT_TRUE(accepted(any, 0.0));
+  EXPECT_FALSE(accepted(0.0, any));
+}
+
 // Without backlash the centrifugal load of planets presses their back flanks on the ring: the gears carry
 // another mean load than by the torques, the bearing is driven with that of the torques, and the point is not
 // accepted.

@@ -709,6 +709,18 @@ class Command(unittest.TestCase):
                 self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
                 self.assertIn("; required: ", refused.stderr)
 
+    def test_options_of_a_job_are_those_of_the_program(self):
+        with page("duplex") as running:
+            for command in ("run", "sweep", "crown", "modes", "sensitivities", "signals", "validate"):
+                with self.subTest(command=command):
+                    asked = {"command": command, "options": {"nonsense": 1}, **({} if command == "validate" else {"case_text": ROLLERS})}
+                    status, _, data = running.ask("POST", "/jobs", asked)
+                    names = re.search(r"cannot give to \w+; required: one of ([\w, ]+)", data.decode())[1].split(", ")
+                    options = re.findall(r"--([a-z-]+)", run(command, "--help").stdout)
+                    self.assertEqual((status, len(names)), (422, len(set(names))))
+                    self.assertEqual({name.replace("_", "-") for name in names} - set(options), set())
+                    self.assertEqual("jobs" in names, "jobs" in options)
+
     def test_a_port_that_is_taken(self):
         with page("duplex") as running:
             refused = run("open", "--no-browser", "--port", running.port)

@@ -97,6 +97,14 @@ class Gearbox(PublicFiles):
         report = self.convert(self.made(rexs_files.coaxial_gearbox(places=False)), 2)
         self.all_near(self.forces(report, "6210-2Z"), (3821.2, 1688.1, 2263.2, 4365.6), 1e-4)
 
+    def test_a_force_along_one_axis_without_its_place_leaves_all_forces_open(self):
+        """The load at the front states a force along v alone: its moment is not known."""
+        model = rexs_files.coaxial_gearbox()
+        model.components = [(number, kind, name, [row for row in rows if (number, row[0]) != (52, "u_coordinate_on_shaft")])
+                            for number, kind, name, rows in model.components]
+        report = self.convert(self.made(model), 2)
+        self.assertNotIn("radial_force_N", self.bearing(report, "6210-2Z")["load_cases"][0]["figures"])
+
     @published
     def test_the_published_file(self):
         self.two_stages(FILES / "FVA-Industriegetriebe_2_stufig_1-6.rexs", [70.0] * 4 + [80.0, 60.0])

@@ -37,11 +37,11 @@ TEST(MotionWork, CountsRevolutionsOfAllRuns) {
   EXPECT_NEAR(seconds_of({example(), example()}, windows), 2 * 0.785, 1e-12);
 }
 
-TEST(MotionWork, OfSlowMotionIsKnownLessWell) {
+TEST(MotionWork, IsKnownAsWellAsTheWorstOfItsMotions) {
   MotionWork slow = example();
-  slow.slow = true;
+  slow.accuracy = kAccuracyOfSlow;
   EXPECT_EQ(accuracy_of({example(), example()}), kAccuracy);
-  EXPECT_EQ(accuracy_of({example(), slow}), kAccuracyOfSlow);
+  EXPECT_EQ(accuracy_of({example(), slow, example()}), kAccuracyOfSlow);
 }
 
 TEST(MotionWork, BoundsOfTheWindowsCount) {
@@ -83,6 +83,28 @@ TEST(MotionWork, StepsAreThoseOfTheMotion) {
   const double steps = static_cast<double>(point.dynamic->run.steps);
   EXPECT_GT(work.front().steps(windows), 0.75 * steps);
   EXPECT_LT(work.front().steps(windows), 1.33 * steps);
+}
+
+// The number of steps of slow motion follows no law: 200 rpm is four times as slow as where it begins.
+TEST(MotionWork, StepsOfSlowMotionAreCounted) {
+  NamedSet set = reducer_at(200.0 * example::rpm);
+  const MotionWindows windows{.observed = 1, .most = 2};
+  set.drivetrain.steady_state.observed_windows = windows.observed;
+  set.drivetrain.steady_state.most_windows = windows.most;
+  const MotionWork work = motion_work({set}, Fidelity::dynamic).front();
+  EXPECT_TRUE(work.slow);
+  EXPECT_EQ(work.accuracy, kAccuracyOfSlow);
+  const double steps = static_cast<double>(evaluate({set}, Fidelity::dynamic).dynamic->run.steps);
+  EXPECT_GT(work.steps(windows), 0.67 * steps);
+  EXPECT_LT(work.steps(windows), 1.5 * steps);
+}
+
+TEST(MotionWork, OfSlowRollersThatStrikeEachOtherIsKnownBadly) {
+  NamedSet set = reducer_at(200.0 * example::rpm);
+  set.drivetrain.bearing.cage = {};
+  EXPECT_EQ(motion_work({set}, Fidelity::dynamic).front().accuracy, kAccuracyOfSlowUncaged);
+  set.drivetrain.drive.speed = 6000.0 * example::rpm;
+  EXPECT_EQ(motion_work({set}, Fidelity::dynamic).front().accuracy, kAccuracy);
 }
 
 TEST(MotionWork, RevolutionsAreShorterAtHigherSpeed) {
@@ -137,6 +159,7 @@ TEST(MotionWork, RunsOfGearsAndBearingAreThoseOfTheirFrequencies) {
     set.drivetrain.set.helix_angle = 0.1;
     EXPECT_NEAR(work_of(set).runs, row.helical, 0.1) << row.passage;  // a little wider, and so heavier
   }
+  EXPECT_EQ(work_of(geared_at(0.01 * ring_frequency())).runs, 1.3);  // slow motion
   NamedSet mean = geared_at(0.2 * ring_frequency());
   mean.drivetrain.mesh_variation = false;
   EXPECT_EQ(work_of(mean).runs, 1.0);

@@ -55,6 +55,15 @@ TEST(Slowness, IsTheSameOfABearingThatOthersDrive) {
   EXPECT_GT(slowness(model, 0.01 * model.kinematic_cage_speed), 1.0);
 }
 
+TEST(Slowness, OfMoreThanTwoIsSlowMotion) {
+  const auto model_at = [](double rpm) {
+    return bearing_model(test::reducer_bearing(), test::reducer_point(rpm), test::reducer_parameters());
+  };
+  const double slow = slowness(model_at(10.0));  // falls as the speed rises
+  EXPECT_FALSE(is_slow(model_at(10.0 * slow / 1.99)));
+  EXPECT_TRUE(is_slow(model_at(10.0 * slow / 2.01)));
+}
+
 TEST(FastestVibration, IsThatOfTheLightestPartOnTheStiffestSpring) {
   using testing::HasSubstr;
   BearingModel model = reducer_model(true);
