@@ -121,13 +121,16 @@ struct TiltPower {
   double held = 0.0;
 };
 
-TiltPower tilt_power(const BearingModel& model, const Instant& now, Eigen::Index j) {
+TiltPower tilt_power(const BearingModel& model, const Instant& now, Eigen::Index j,
+                     const double* rate = nullptr) {
   if (!model.layout.tilting) return {};
   const Vector2 outward = now.outward(j);
   const LaminaRaceLoads loads = model.laminae->loads(now.stand(j), outward);
   const double passing =
       model.laminae->bore_end_displacement().dot(across(outward)) * now.state.orbital_speed[j];
-  return {loads.excess * loads.excess / model.laminae->resistance(), -loads.outer_end_load * passing};
+  const double resistance = model.laminae->resistance(),
+               speed = rate ? rate[j] : loads.excess / resistance;  // [m/s]
+  return {resistance * speed * speed, -loads.outer_end_load * passing};
 }
 
 double wrapped(double angle) {
@@ -170,9 +173,10 @@ void put_stand(const RollerApproaches& stand, Eigen::Index j, Snapshot& into) {
   into.end_displacement[j] = stand.end_displacement;
 }
 
-void add_losses(const BearingModel& model, const Instant& now, Eigen::Index j, PowerLoss& loss) {
+void add_losses(const BearingModel& model, const Instant& now, Eigen::Index j, const double* tilt_rate,
+                PowerLoss& loss) {
   const auto& [inner, outer, neighbour_load, neighbour_energy, neighbour_power] = now.seen_at(j);
-  loss.race_damping += inner.damping_power + outer.damping_power + tilt_power(model, now, j).lost;
+  loss.race_damping += inner.damping_power + outer.damping_power + tilt_power(model, now, j, tilt_rate).lost;
   loss.inner_traction += inner.traction_power;
   loss.outer_traction += outer.traction_power;
   loss.rolling += inner.rolling_power + outer.rolling_power;
@@ -331,7 +335,7 @@ PowerInput power_of(const BearingModel& model, const ThreeTimes& times, const Ve
 }
 
 void take(const BearingModel& model, const Surroundings& surroundings,
-          const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into) {
+          const Eigen::Ref<const Eigen::VectorXd>& x, const double* tilt_rate, Snapshot& into) {
   const Instant now(model, surroundings, x);
   const bool caged = model.layout.caged;
   into.laminae = cut_races(model);
@@ -347,7 +351,7 @@ void take(const BearingModel& model, const Surroundings& surroundings,
     else
       into.neighbour_load[j] = now.seen_at(j).neighbour_load;
     into.loss.pockets += pocket.power;
-    add_losses(model, now, j, into.loss);
+    add_losses(model, now, j, tilt_rate, into.loss);
   }
   into.orbital_speed = now.state.orbital_speed;
   into.spin = now.state.spin;
@@ -388,14 +392,14 @@ Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vecto
 }
 
 void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
-                   double time) {
-  take(model, vectorised::surroundings_at(model, time), x, into);
+                   double time, const double* tilt_rate) {
+  take(model, vectorised::surroundings_at(model, time), x, tilt_rate, into);
 }
 
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
-                         const Eigen::Ref<const Eigen::VectorXd>& x) {
+                         const Eigen::Ref<const Eigen::VectorXd>& x, const double* tilt_rate) {
   Snapshot result;
-  take(model, vectorised::surroundings_of(model, motion), with_bore(model, motion, x), result);
+  take(model, vectorised::surroundings_of(model, motion), with_bore(model, motion, x), tilt_rate, result);
   return result;
 }
 

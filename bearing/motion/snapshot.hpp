@@ -53,14 +53,14 @@ struct PowerLoss {
 
 /// Power that enters from outside [W].
 struct PowerInput {
-  double bore_load = 0.0;       // external load times velocity of the bore
-  double rotations = 0.0;       // what keeps bore and pin at their speeds
-  double euler = 0.0;           // inertial loads of a carrier that speeds up
-  double changing_film = 0.0;   // work of the films as their speed changes
+  double bore_load = 0.0;         // external load times velocity of the bore
+  double rotations = 0.0;         // what keeps bore and pin at their speeds
+  double euler = 0.0;             // inertial loads of a carrier that speeds up
+  double changing_film = 0.0;     // work of the films as their speed changes
   double out_of_roundness = 0.0;  // of what holds a form or a tilt while race or rollers turn through it
-  double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
-  double teeth = 0.0;           // of their forces on an elastic rim, as they change
-  double weight = 0.0;          // of rollers, cage and pin ring; that of the planet is part of bore_load
+  double changing_frame = 0.0;    // of the centrifugal field as the carrier's speed changes
+  double teeth = 0.0;             // of their forces on an elastic rim, as they change
+  double weight = 0.0;            // of rollers, cage and pin ring; that of the planet is part of bore_load
 
   double total() const {
     return bore_load + rotations + euler + changing_film + out_of_roundness + changing_frame + teeth + weight;
@@ -97,15 +97,18 @@ RollerLoads loads_of(const Snapshot& snapshot);
 /// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time = 0.0);
 
-/// As above, into a snapshot that is used again.
+/// As above, into a snapshot that is used again. `tilt_rate` [m/s] (rollers): how fast end displacements
+/// changed in the step to `x`, for the power that tilting loses, resistance x rate^2. Null: by the excess in
+/// `x`, which is exact at an instant, but after steps that are long against the tilts' own time holds mainly
+/// what the steps leave.
 void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
-                   double time = 0.0);
+                   double time = 0.0, const double* tilt_rate = nullptr);
 
 /// Observed values of a bearing in the state `x` with a prescribed motion of its bore: the bore follows
 /// `motion`, whatever its four entries of `x` hold. Loads, speeds and frame with which `model` was made are
-/// not used, nor are its excitation and its run-up; the pin ring does not turn.
+/// not used, nor are its excitation and its run-up; the pin ring does not turn. `tilt_rate`: as above.
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
-                         const Eigen::Ref<const Eigen::VectorXd>& x);
+                         const Eigen::Ref<const Eigen::VectorXd>& x, const double* tilt_rate = nullptr);
 
 /// Energy of the state `x` at `time` [s].
 StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,

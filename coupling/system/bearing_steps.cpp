@@ -243,6 +243,17 @@ std::string out_of_place(const bearing::motion::BearingModel& model,
   return text.str();
 }
 
+std::vector<double> tilt_rates(const bearing::vectorised::PaddedLayout& layout, const double* from,
+                               const double* to, double length) {
+  if (!layout.tilting) return {};
+  std::vector<double> rates(static_cast<std::size_t>(layout.rollers));
+  constexpr std::ptrdiff_t kGroup = 5;  // of end displacements
+  const std::ptrdiff_t first = kGroup * layout.lanes();
+  std::transform(to + first, to + first + layout.rollers, from + first, rates.begin(),
+                 [length](double now, double before) { return (now - before) / length; });
+  return rates;
+}
+
 WithinStep::WithinStep(double begin, const std::vector<double>& from, double end,
                        const std::vector<double>& to, double time, std::vector<double>& x)
     : from_(from), to_(to), x_(x), length_(end - begin), share_((time - begin) / length_) {

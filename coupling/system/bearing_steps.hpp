@@ -121,6 +121,11 @@ StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& b
 std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 
+/// [m/s] (rollers)  Rates of end displacements in a step of `length` [s] between padded states of a bearing;
+/// none where rollers do not tilt.
+std::vector<double> tilt_rates(const bearing::vectorised::PaddedLayout& layout, const double* from,
+                               const double* to, double length);
+
 /// A state within a step: positions by Hermite's cubic from their velocities, velocities in a straight line,
 /// which does not ring where they are stiff.
 class WithinStep {

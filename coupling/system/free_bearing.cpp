@@ -47,6 +47,9 @@ class FreeSystem {
   }
   void settle(double, std::vector<double>&) const {}
 
+  // Where rates of tilts go, if anywhere.
+  std::vector<double>* tilt_rate = nullptr;
+
   /// State at the beginning of the last step.
   const std::vector<double>& from() const { return from_; }
 
@@ -74,6 +77,8 @@ bool run(Stepper& stepper, VectorBearing& bearing, FreeSystem& system, Eigen::Ve
     report.rejected += attempts - 1;
     report.rhs_calls += attempts + 1;
     if (!budget.accept(time, time - before)) return false;
+    if (system.tilt_rate)
+      *system.tilt_rate = tilt_rates(bearing.layout(), system.from().data(), state.data(), time - before);
     for (; next <= output.samples && output.time(next) <= time; ++next) {
       WithinStep(before, system.from(), time, state, output.time(next), sample).bend(bearing.layout(), 0);
       bearing.flatten(sample.data(), x);
@@ -108,12 +113,14 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
 IntegrationReport integrate_bearing(VectorBearing& bearing, Eigen::VectorXd& x, const OutputTimes& output,
                                     const IntegrationOptions& options, const integration::Observer& observe,
                                     const StepObserver& on_step,
-                                    bearing::motion::StatisticsCollector* collector) {
+                                    bearing::motion::StatisticsCollector* collector,
+                                    std::vector<double>* tilt_rate) {
   IntegrationReport report;
   report.reached = output.time(0);
   report.smallest_step = std::numeric_limits<double>::infinity();
   integration::Run budget(options, report);
   FreeSystem system(bearing, on_step, collector);
+  system.tilt_rate = tilt_rate;
   try {
     report.completed = x.allFinite() ? run(bearing, system, x, output, options, observe, budget, report)
                                      : budget.fail("the state is not finite");
@@ -134,7 +141,8 @@ FreeBearing::FreeBearing(const BearingModel& model, Eigen::VectorXd start, doubl
 }
 
 void FreeBearing::take_snapshot(int, bearing::motion::Snapshot& into) const {
-  bearing::motion::take_snapshot(model(), shown_, into, time_);
+  bearing::motion::take_snapshot(model(), shown_, into, time_,
+                                 tilt_rate_.empty() ? nullptr : tilt_rate_.data());
 }
 
 void FreeBearing::advance(const OutputTimes& times, const std::function<void(double time)>& observe) {
@@ -162,7 +170,8 @@ IntegrationReport FreeBearing::advance_implicitly(const OutputTimes& times, cons
     observers_.on_bore({step.time, step.weight, {bore[0], bore[1]}, {bore[2], bore[3]}, step.bore_force});
   };
   return integrate_bearing(bearing_, state_, times, options, show,
-                           observers_.on_bore ? StepObserver(on_step) : nullptr, observers_.loads.front());
+                           observers_.on_bore ? StepObserver(on_step) : nullptr, observers_.loads.front(),
+                           &tilt_rate_);
 }
 
 IntegrationReport FreeBearing::advance_explicitly(const OutputTimes& times, const IntegrationOptions& options,

@@ -20,13 +20,14 @@ using StepObserver = std::function<void(const StepSample&)>;
 /// (order_of_steps()); `options.allowed_error` is that of dopri5.
 /// `observe` gets states at the output times, `on_step` every accepted step and the rest of the last one;
 /// either may be empty, and a std::runtime_error of theirs ends the run as its message. The loads also go to
-/// `collector`, if any.
+/// `collector`, if any. `tilt_rate`, if given, holds tilt_rates() of the step that is being observed.
 integration::IntegrationReport integrate_bearing(bearing::vectorised::VectorBearing& bearing,
                                                  Eigen::VectorXd& x, const integration::OutputTimes& output,
                                                  const integration::IntegrationOptions& options,
                                                  const integration::Observer& observe,
                                                  const StepObserver& on_step,
-                                                 bearing::motion::StatisticsCollector* collector = nullptr);
+                                                 bearing::motion::StatisticsCollector* collector = nullptr,
+                                                 std::vector<double>* tilt_rate = nullptr);
 
 /// By linearly implicit steps, or by the explicit ones on request.
 class FreeBearing final : public Motion {
@@ -63,7 +64,8 @@ class FreeBearing final : public Motion {
   StepObservers observers_{{nullptr}, {}};
   Eigen::VectorXd state_;
   Eigen::VectorXd shown_;
-  double time_ = 0.0;  // [s]
+  std::vector<double> tilt_rate_;  // of the step to it
+  double time_ = 0.0;              // [s]
 };
 
 }  // namespace orbearing::system
