@@ -397,9 +397,9 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
 }
 
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
-                         const Eigen::Ref<const Eigen::VectorXd>& x, const double* tilt_rate) {
+                         const Eigen::Ref<const Eigen::VectorXd>& x) {
   Snapshot result;
-  take(model, vectorised::surroundings_of(model, motion), with_bore(model, motion, x), tilt_rate, result);
+  take(model, vectorised::surroundings_of(model, motion), with_bore(model, motion, x), nullptr, result);
   return result;
 }
 

@@ -106,9 +106,9 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
 
 /// Observed values of a bearing in the state `x` with a prescribed motion of its bore: the bore follows
 /// `motion`, whatever its four entries of `x` hold. Loads, speeds and frame with which `model` was made are
-/// not used, nor are its excitation and its run-up; the pin ring does not turn. `tilt_rate`: as above.
+/// not used, nor are its excitation and its run-up; the pin ring does not turn.
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
-                         const Eigen::Ref<const Eigen::VectorXd>& x, const double* tilt_rate = nullptr);
+                         const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// Energy of the state `x` at `time` [s].
 StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,

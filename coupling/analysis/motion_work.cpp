@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "bearing/motion/initial_state.hpp"
 #include "bearing/motion/model.hpp"
@@ -62,8 +63,7 @@ constexpr double kGears = 0.02;                             // [s]  of the gears
 
 constexpr double kCagedSettling = 2.0, kUncagedSettling = 5.0;  // [-]
 
-// Steps of slow motion are counted: in the second passage of a roller past the load, or in part of it.
-constexpr long kMostCounted = 8'000;
+constexpr long kMostCounted = 16'000;  // steps of slow motion
 
 double lanes_of(const BearingModel& model) {
   constexpr double pack = 8.0;
@@ -101,33 +101,34 @@ double ring_frequency(const BearingModel& model) {
 }
 
 // [s]  Mean step of the bearing under mean loads with errors that `length_error` [m] allows, while a roller
-// passes the load; rollers and cage have settled in the passage before. None where it does not move.
+// passes the load after the passage of another, or in the second half of kMostCounted steps. None where the
+// integration fails.
 std::optional<double> counted_step(const SetMotion& set, double length_error) {
-  const PlanetaryDrivetrain& drivetrain = set.drivetrain;
+  const system::SteadyStateOptions& stated = set.drivetrain.steady_state;
   bearing::vectorised::VectorBearing bearing(set.model);
-  const Eigen::VectorXd start = initial_state(set.seated.drivetrain.bearing, set.model, set.parameters,
-                                              drivetrain.steady_state.first_roller)
-                                    .x;
-  integration::IntegrationOptions options = drivetrain.steady_state.integration;
+  Eigen::VectorXd x =
+      initial_state(set.seated.drivetrain.bearing, set.model, set.parameters, stated.first_roller).x;
+  integration::IntegrationOptions options = stated.integration;
   options.allowed_error = system::allowed_errors(set.model, length_error);
-  const auto through = [&](int passages) {
-    Eigen::VectorXd x = start;
-    options.most_steps = passages * kMostCounted;
-    const double passage = constants::two_pi / (static_cast<double>(set.model.layout.rollers) *
-                                                std::abs(set.model.kinematic_cage_speed));
-    return system::integrate_bearing(bearing, x, {0.0, passages * passage, 1}, options, nullptr, nullptr);
-  };
-  const integration::IntegrationReport settled = through(1), both = through(2);
-  if (both.steps <= settled.steps) return std::nullopt;
-  return (both.reached - settled.reached) / static_cast<double>(both.steps - settled.steps);
+  options.most_steps = kMostCounted;
+  const double passage = constants::two_pi / (static_cast<double>(set.model.layout.rollers) *
+                                              std::abs(set.model.kinematic_cage_speed));
+  std::vector<double> times;  // [s]
+  system::integrate_bearing(bearing, x, {0.0, 2.0 * passage, 1}, options, nullptr,
+                            [&](const system::StepSample& step) { times.push_back(step.time); });
+  const auto second = std::min(std::ranges::lower_bound(times, passage),
+                               times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
+  const auto counted = times.end() - second;
+  if (counted < 2) return std::nullopt;
+  return (times.back() - *second) / static_cast<double>(counted - 1);
 }
 
-void put_counted_steps(const SetMotion& set, MotionWork& work) {
-  const double error = std::max(kUsualError, work.load_error);
+void put_counted_steps(const SetMotion& set, double longest_step, MotionWork& work) {
+  const double error = std::max(set.drivetrain.steady_state.allowed_length_error, work.load_error);
   const std::optional<double> counted = counted_step(set, error);
   if (!counted) return;
   work.accurate_step = *counted * std::sqrt(kUsualError / error);
-  work.longest_step = std::numeric_limits<double>::infinity();
+  work.longest_step = longest_step;
 }
 
 void put_steps(const SetMotion& set, MotionWork& work) {
@@ -137,7 +138,8 @@ void put_steps(const SetMotion& set, MotionWork& work) {
   const int order = system::order_of_steps(model, set.shaken);
   const bool damped = system::impacts_are_damped(model);
   const double slow = system::slowness(model);
-  work.longest_step = system::steps_of_order(order, bearing, allowed, slow).longest;
+  const double longest = system::steps_of_order(order, bearing, allowed, slow).longest;
+  work.longest_step = longest;
   if (order == 4)
     work.longest_step *= kOfOrder4 / slow;
   else if (order == 3)
@@ -161,8 +163,8 @@ void put_steps(const SetMotion& set, MotionWork& work) {
   if (work.slow) work.accuracy = model.layout.caged ? kAccuracyOfSlow : kAccuracyOfSlowUncaged;
   if (set.drivetrain.steady_state.integration.method != integration::Method::linearly_implicit)
     work.step_seconds *= kExplicit;
-  else if (work.slow)
-    put_counted_steps(set, work);
+  else if (work.slow && set.drivetrain.run_up.acceleration == 0.0)
+    put_counted_steps(set, longest, work);
 }
 
 void put_runs(const SetMotion& set, MotionWork& work) {
@@ -200,7 +202,7 @@ double error_of_load(const PlanetaryDrivetrain& drivetrain, const MeansAtRest& a
   return with_error_of_load(drivetrain, at_rest).steady_state.allowed_length_error;
 }
 
-// A bearing of the set; where steps are counted, with the tilt that it has at rest.
+// A bearing of the set; in slow motion with the tilt that it has at rest.
 SeatedBearing seated_in_slow_motion(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const BearingDuty& duty) {
   const BearingModel upright =

@@ -1,5 +1,5 @@
 // Computing time of a point in motion, from counts of revolutions, steps, bearings, rollers, laminae and
-// waves: known before it is computed, and the same on every machine.
+// waves, and of some steps of slow motion: known before it is computed.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace orbearing::analysis {
 
 /// Factor within which estimates are of the measured times: of most motions, of slow ones, and of slow ones
 /// whose rollers strike each other. docs/motion_time.md has the measurement.
-inline constexpr int kAccuracy = 2, kAccuracyOfSlow = 4, kAccuracyOfSlowUncaged = 15;
+inline constexpr int kAccuracy = 2, kAccuracyOfSlow = 4, kAccuracyOfSlowUncaged = 25;
 
 /// Duration and accuracy of a motion, as in system::SteadyStateOptions.
 struct MotionWindows {

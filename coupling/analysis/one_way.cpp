@@ -268,7 +268,7 @@ class OneWay {
     return !whole_;
   }
 
-  /// Slow motion hardly shows the dampers, which then have no effect: what a run makes of them is scatter.
+  /// In slow motion the dampers' force is too small to be fitted, and to matter.
   /// @param margin on what is allowed
   bool is_close(double margin) const {
     return record_.fitted.stiffness_change <= margin * options_.stiffness_change &&

@@ -70,7 +70,7 @@ class AffineFit {
 /// Conditions under which the law that replaces the bearings counts as found.
 struct OneWayOptions {
   double stiffness_change = 0.01;  // [-]  from one run to the next, in its force along the motion
-  double damping_change = 0.1;     // [-]  not asked of slow motion (system::is_slow())
+  double damping_change = 0.1;     // [-]  not applied in slow motion (system::is_slow())
   double load_difference = 0.002;  // [-]  of the mean load: a hundredth of the life
   int most_runs = 8;               // of gears and bearing; then the last one is used, and reports it
 };

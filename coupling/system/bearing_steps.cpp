@@ -247,7 +247,7 @@ std::vector<double> tilt_rates(const bearing::vectorised::PaddedLayout& layout, 
                                const double* to, double length) {
   if (!layout.tilting) return {};
   std::vector<double> rates(static_cast<std::size_t>(layout.rollers));
-  constexpr std::ptrdiff_t kGroup = 5;  // of end displacements
+  constexpr std::ptrdiff_t kGroup = 5;  // radius, angle, their speeds and spin stand before
   const std::ptrdiff_t first = kGroup * layout.lanes();
   std::transform(to + first, to + first + layout.rollers, from + first, rates.begin(),
                  [length](double now, double before) { return (now - before) / length; });

@@ -63,7 +63,8 @@ double longest_step(const bearing::motion::BearingModel& model);
 double slowness(const bearing::motion::BearingModel& model);
 /// The same where the cage turns at `cage_speed` [rad/s] against the load, for a driven bearing.
 double slowness(const bearing::motion::BearingModel& model, double cage_speed);
-/// Whether vibrations decay so soon against the passage of a roller that they do not add up.
+/// Whether slowness() is above 2: vibrations then decay so soon against the passage of a roller that they do
+/// not add up.
 inline bool is_slow(const bearing::motion::BearingModel& model) {
   constexpr double kSlow = 2.0;  // [-]  of slowness()
   return slowness(model) > kSlow;

@@ -68,7 +68,8 @@ bool run(Stepper& stepper, VectorBearing& bearing, FreeSystem& system, Eigen::Ve
          integration::Run& budget, IntegrationReport& report) {
   const integration::WindowLimits limits{.smallest_step = options.smallest_step, .stretch = 1.0};
   std::vector<double> state = bearing.padded(x), sample = state;
-  double time = output.time(0), step = options.step;
+  constexpr double kWholeStep = 0.5;  // of the one before: one that is cut at the end shows no rate
+  double time = output.time(0), step = options.step, length = 0.0;
   long next = 1;
   while (next <= output.samples) {
     const double before = time;
@@ -77,8 +78,9 @@ bool run(Stepper& stepper, VectorBearing& bearing, FreeSystem& system, Eigen::Ve
     report.rejected += attempts - 1;
     report.rhs_calls += attempts + 1;
     if (!budget.accept(time, time - before)) return false;
-    if (system.tilt_rate)
+    if (system.tilt_rate && time - before >= kWholeStep * length)
       *system.tilt_rate = tilt_rates(bearing.layout(), system.from().data(), state.data(), time - before);
+    length = time - before;
     for (; next <= output.samples && output.time(next) <= time; ++next) {
       WithinStep(before, system.from(), time, state, output.time(next), sample).bend(bearing.layout(), 0);
       bearing.flatten(sample.data(), x);

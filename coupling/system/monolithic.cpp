@@ -254,12 +254,7 @@ bearing::motion::BoreReaction Monolithic::reaction(int b) const {
 }
 
 void Monolithic::take_snapshot(int b, Snapshot& into) const {
-  std::vector<double> tilt_rate;
-  if (following_ && reached_ > reached_before_)
-    tilt_rate = tilt_rates(system_.bearing(b).layout(), system_.of_bearing(before_.data(), b),
-                           system_.of_bearing(x_.data(), b), reached_ - reached_before_);
-  into = driven_snapshot(model_.bearing_of(b), at_seat(model_, b, planet_motion(b)), bearing_state(b),
-                         tilt_rate.empty() ? nullptr : tilt_rate.data());
+  into = driven_snapshot(model_.bearing_of(b), at_seat(model_, b, planet_motion(b)), bearing_state(b));
 }
 
 void Monolithic::observe_steps(const system::StepObservers& observers) {

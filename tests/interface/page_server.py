@@ -709,7 +709,7 @@ class Command(unittest.TestCase):
                 self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
                 self.assertIn("; required: ", refused.stderr)
 
-    def test_options_of_a_job_are_those_of_the_program(self):
+    def test_each_option_of_a_job_is_one_of_the_program(self):
         with page("duplex") as running:
             for command in ("run", "sweep", "crown", "modes", "sensitivities", "signals", "validate"):
                 with self.subTest(command=command):

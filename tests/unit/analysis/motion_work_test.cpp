@@ -85,7 +85,7 @@ TEST(MotionWork, StepsAreThoseOfTheMotion) {
   EXPECT_LT(work.front().steps(windows), 1.33 * steps);
 }
 
-// The number of steps of slow motion follows no law: 200 rpm is four times as slow as where it begins.
+// No law gives the number of steps of slow motion, which it is below 425 rpm.
 TEST(MotionWork, StepsOfSlowMotionAreCounted) {
   NamedSet set = reducer_at(200.0 * example::rpm);
   const MotionWindows windows{.observed = 1, .most = 2};
@@ -99,7 +99,7 @@ TEST(MotionWork, StepsOfSlowMotionAreCounted) {
   EXPECT_LT(work.steps(windows), 1.5 * steps);
 }
 
-TEST(MotionWork, OfSlowRollersThatStrikeEachOtherIsKnownBadly) {
+TEST(MotionWork, OfSlowRollersThatStrikeEachOtherIsTheLeastAccurate) {
   NamedSet set = reducer_at(200.0 * example::rpm);
   set.drivetrain.bearing.cage = {};
   EXPECT_EQ(motion_work({set}, Fidelity::dynamic).front().accuracy, kAccuracyOfSlowUncaged);
