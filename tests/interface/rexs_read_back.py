@@ -496,6 +496,8 @@ class Contradictions(ReadBack):
         self.noted(with_attributes(rexs_files.planetary(), rexs_files.PLANET + 2, face_width=(200.0, "mm"), mass_of_component=(80.0, "kg")))
         self.noted(with_attributes(rexs_files.planetary(), 10 * rexs_files.SUN + 2, normal_pressure_angle=(22.5, "deg")), "differs from the other flank")
         self.noted(with_attributes(rexs_files.planetary(), 13, rotational_speed=(100.0, "1 / min")), "contradict the numbers of teeth")
+        rounded = 1.003 * 22.0 * (1.0 + 99.0 / 21.0)  # what is left is below a thousandth of it, but not of 22 rpm
+        self.noted(with_attributes(rexs_files.planetary(), 13, rotational_speed=(rounded, "1 / min")))
         self.noted(with_attributes(rexs_files.planetary(), 6, torque_around_u_axis=(9000.0, "N m"), defines_torque=(True, "none")),
                    "the torques that the file states contradict each other")
         self.noted(with_attributes(rexs_files.planetary(), 5, power=(700.0, "kW")), "its power at 22 rpm gives 303841 N m; the torque is taken")
